@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace safety_control_cloud {
+
+using Point = pcl::PointXYZ;
+using Cloud = pcl::PointCloud<Point>;
+
+enum class Scalar : std::uint8_t { Float32, Float64 };
+
+/// Borrowed bytes of a cloud, and where x, y and z lie in them. Whoever makes one has checked that every point lies
+/// inside the bytes (see layout.hpp), so that whoever reads one need not.
+/// Optical frame: x right, y down, z forward [m].
+struct CloudView {
+  const std::uint8_t* bytes = nullptr;
+  std::size_t width = 0;                   ///< points in a row
+  std::size_t height = 0;                  ///< rows; 1 if the cloud is not organised
+  std::size_t point_step = 0;              ///< [byte] from one point to the next
+  std::size_t row_step = 0;                ///< [byte] from one row to the next
+  std::array<std::size_t, 3> offset = {};  ///< [byte] of x, y, z in a point; need not be aligned
+  Scalar scalar = Scalar::Float32;
+  bool swapped = false;  ///< the byte order is not this machine's
+
+  std::size_t size() const { return width * height; }
+};
+
+/// Every point of the view as float32, in its order and with its width and height; nothing is left out.
+Cloud to_cloud(const CloudView& view);
+
+}  // namespace safety_control_cloud

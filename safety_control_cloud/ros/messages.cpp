@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "messages.hpp"
+
+#include <pcl_conversions/pcl_conversions.h>
+
+#include <limits>
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double free_ahead = std::numeric_limits<double>::infinity();
+
+Layout layout_of(const sensor_msgs::PointCloud2& cloud) {
+  Layout layout;
+  layout.height = cloud.height;
+  layout.width = cloud.width;
+  layout.is_bigendian = cloud.is_bigendian != 0;
+  layout.point_step = cloud.point_step;
+  layout.row_step = cloud.row_step;
+  for (const auto& field : cloud.fields) {
+    layout.fields.push_back(Field{field.name, field.offset, field.datatype, field.count});
+  }
+  return layout;
+}
+
+double nearest_in(const Decision& decision) {
+  if (decision.nearest) return decision.nearest->distance();
+  return decision.cause == Cause::Seen ? free_ahead : unknown;
+}
+
+geometry_msgs::Point nearest_point_in(const Decision& decision) {
+  geometry_msgs::Point point;
+  point.x = decision.nearest ? decision.nearest->point.x : unknown;
+  point.y = decision.nearest ? decision.nearest->point.y : unknown;
+  point.z = decision.nearest ? decision.nearest->point.z : unknown;
+  return point;
+}
+
+}  // namespace
+
+Reading view_of(const sensor_msgs::PointCloud2& cloud) {
+  return view_of(layout_of(cloud), cloud.data.data(), cloud.data.size());
+}
+
+geometry_msgs::Twist to_twist(const Decision& decision) {
+  geometry_msgs::Twist twist;
+  twist.linear.x = decision.speed;
+  return twist;
+}
+
+SafetyState to_state(const Decision& decision, const std_msgs::Header& header) {
+  SafetyState state;
+  state.header = header;
+  state.zone = static_cast<std::uint8_t>(decision.zone);
+  state.zone_text = name_of(decision.zone);
+  state.cause = static_cast<std::uint8_t>(decision.cause);
+  state.cause_text = name_of(decision.cause);
+  state.reason = decision.reason;
+  state.nearest = nearest_in(decision);
+  state.nearest_point = nearest_point_in(decision);
+  state.inside = static_cast<std::uint32_t>(decision.sight.inside);
+  state.returns = static_cast<std::uint32_t>(decision.sight.returns);
+  state.total = static_cast<std::uint32_t>(decision.sight.total);
+  state.speed = decision.speed;
+  return state;
+}
+
+sensor_msgs::PointCloud2 to_output(const Cloud& crop, const std_msgs::Header& header) {
+  sensor_msgs::PointCloud2 output;
+  pcl::toROSMsg(crop, output);
+  output.header = header;
+  return output;
+}
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parameters.hpp"
+
+#include <XmlRpcValue.h>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+namespace safety_control_cloud {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+std::string lines(const std::vector<std::string>& sentences) {
+  std::string text = "cannot start with these parameters:";
+  for (const auto& sentence : sentences) text += "\n  - " + sentence;
+  return text;
+}
+
+/// Levenshtein distance: how many letters to add, drop or change (a row of the usual table at a time).
+std::size_t edits_between(const std::string& from, const std::string& to) {
+  std::vector<std::size_t> row(to.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < to.size(); ++j) {
+      const std::size_t changed = diagonal + (from[i] == to[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, changed});
+    }
+  }
+  return row.back();
+}
+
+std::vector<std::string> known_names() {
+  std::vector<std::string> names;
+  const Settings defaults;
+  for_each_parameter(defaults, [&](const char* name, const auto&) { names.emplace_back(name); });
+  return names;
+}
+
+std::string unknown_parameter(const std::string& name, const std::vector<std::string>& known) {
+  const auto closer = [&](const auto& a, const auto& b) { return edits_between(name, a) < edits_between(name, b); };
+  const std::string closest = *std::min_element(known.begin(), known.end(), closer);
+  const bool similar = edits_between(name, closest) <= std::max<std::size_t>(2, closest.size() / 3);
+  return "there is no parameter ~" + name + (similar ? "; did you mean ~" + closest + "?" : "");
+}
+
+/// Names right under the private namespace; what lies deeper (a nodelet's or a library's) is not ours to judge.
+std::vector<std::string> given_names(const ros::NodeHandle& private_handle) {
+  std::vector<std::string> all, given;
+  private_handle.getParamNames(all);
+  const std::string prefix = private_handle.getNamespace() + "/";
+  for (const auto& name : all) {
+    if (name.compare(0, prefix.size(), prefix) != 0) continue;
+    const std::string own = name.substr(prefix.size());
+    if (own.find('/') == std::string::npos) given.push_back(own);
+  }
+  return given;
+}
+
+std::optional<double> number_in(XmlRpcValue value) {
+  if (value.getType() == XmlRpcValue::TypeInt) return static_cast<int&>(value);
+  if (value.getType() == XmlRpcValue::TypeDouble) return static_cast<double&>(value);
+  return std::nullopt;
+}
+
+/// Takes one ROS parameter into one setting, or says what is wrong with it.
+struct Taking {
+  XmlRpcValue given;
+
+  std::optional<std::string> into(double& setting) const {
+    const auto number = number_in(given);
+    if (!number) return "must be a number";
+    setting = *number;
+    return std::nullopt;
+  }
+
+  std::optional<std::string> into(float& setting) const {
+    double wide = 0.0;
+    if (const auto problem = into(wide)) return problem;
+    setting = static_cast<float>(wide);
+    return std::nullopt;
+  }
+
+  std::optional<std::string> into(std::size_t& setting) const {
+    XmlRpcValue value = given;
+    if (value.getType() != XmlRpcValue::TypeInt) return "must be a whole number";
+    if (static_cast<int&>(value) < 0) return "must not be negative";
+    setting = static_cast<std::size_t>(static_cast<int&>(value));
+    return std::nullopt;
+  }
+
+  std::optional<std::string> into(Method& setting) const {
+    XmlRpcValue value = given;
+    const std::string name = value.getType() == XmlRpcValue::TypeString ? static_cast<std::string&>(value) : "";
+    const auto method = method_named(name);
+    if (!method) return "must be one_pass or pcl";
+    setting = *method;
+    return std::nullopt;
+  }
+};
+
+}  // namespace
+
+BadParameters::BadParameters(const std::vector<std::string>& problems) : std::runtime_error(lines(problems)) {}
+
+Settings load_settings(const ros::NodeHandle& private_handle) {
+  Settings settings;
+  std::vector<std::string> problems;
+  for_each_parameter(settings, [&](const char* name, auto& setting) {
+    Taking taking;
+    if (!private_handle.getParam(name, taking.given)) return;
+    if (const auto problem = taking.into(setting)) problems.push_back("~" + std::string(name) + " " + *problem);
+  });
+  const auto known = known_names();
+  for (const auto& name : given_names(private_handle)) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) problems.push_back(unknown_parameter(name, known));
+  }
+  for (const auto& problem : problems_in(settings)) problems.push_back(problem);
+  if (!problems.empty()) throw BadParameters(problems);
+  return settings;
+}
+
+}  // namespace safety_control_cloud

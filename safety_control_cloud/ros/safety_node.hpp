@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/ros.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include "../core/safety_control.hpp"
+
+namespace safety_control_cloud {
+
+/// Wires SafetyControl to ROS: every cloud leads to exactly one command, and so does every period without one.
+/// Decides nothing itself.
+class SafetyNode {
+ public:
+  /// Throws BadParameters if the private parameters are unfit to drive with.
+  SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle);
+  ~SafetyNode();  ///< the last command is zero
+  SafetyNode(const SafetyNode&) = delete;
+  SafetyNode& operator=(const SafetyNode&) = delete;
+
+ private:
+  void on_cloud(const sensor_msgs::PointCloud2& cloud);
+  void on_quiet(const ros::SteadyTimerEvent&);
+  Decision decide(const sensor_msgs::PointCloud2& cloud);
+  void publish(const Decision& decision);
+  void log(const Decision& decision);
+  void wake_when_quiet();
+
+  SafetyControl control_;
+  ros::Publisher command_, output_, state_;
+  ros::Subscriber clouds_;
+  ros::SteadyTimer quiet_;
+  ros::SteadyTime last_cloud_, last_log_;
+  std_msgs::Header header_;
+  Decision logged_;
+};
+
+}  // namespace safety_control_cloud
