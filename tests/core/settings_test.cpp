@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../safety_control_cloud/core/settings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <type_traits>
+
+namespace safety_control_cloud {
+namespace {
+
+bool mentions(const std::vector<std::string>& sentences, const std::string& word) {
+  return std::any_of(sentences.begin(), sentences.end(),
+                     [&](const std::string& sentence) { return sentence.find(word) != std::string::npos; });
+}
+
+TEST(Settings, DefaultsAreFitToDriveWith) { EXPECT_TRUE(problems_in(Settings{}).empty()); }
+
+TEST(Settings, NoNumberMayBeNanOrInfinite) {
+  for (const double unfit : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                             -std::numeric_limits<double>::infinity()}) {
+    std::size_t numbers = 0;
+    const Settings defaults;
+    for_each_parameter(defaults, [&](const std::string& name, const auto& value) {
+      if constexpr (std::is_floating_point_v<std::decay_t<decltype(value)>>) {
+        Settings settings;
+        for_each_parameter(settings, [&](const std::string& candidate, auto& number) {
+          if constexpr (std::is_floating_point_v<std::decay_t<decltype(number)>>) {
+            if (candidate == name) number = static_cast<std::decay_t<decltype(number)>>(unfit);
+          }
+        });
+        EXPECT_TRUE(mentions(problems_in(settings), name + " must be finite")) << name << " = " << unfit;
+        ++numbers;
+      }
+    });
+    EXPECT_GT(numbers, std::size_t{10});
+  }
+}
+
+struct Unfit {
+  const char* sentence;
+  std::function<void(Settings&)> harm;
+};
+
+TEST(Settings, EveryContradictionIsNamed) {
+  const std::vector<Unfit> table = {
+      {"x_min must be less", [](Settings& s) { s.corridor.x_min = s.corridor.x_max; }},
+      {"y_min must be less", [](Settings& s) { std::swap(s.corridor.y_min, s.corridor.y_max); }},
+      {"range_min must not", [](Settings& s) { s.corridor.range_min = -0.1f; }},
+      {"min_points must", [](Settings& s) { s.corridor.min_points = 0; }},
+      {"danger_distance must be positive", [](Settings& s) { s.limits.danger = 0.0; }},
+      {"danger_distance must be more", [](Settings& s) { s.corridor.range_min = 0.5f; }},
+      {"warning_distance must be more", [](Settings& s) { std::swap(s.limits.danger, s.limits.warning); }},
+      {"warning_speed must not", [](Settings& s) { s.speeds.warning = -0.1; }},
+      {"safe_speed must not", [](Settings& s) { s.speeds.safe = 0.05; }},
+      {"release_clouds must", [](Settings& s) { s.release.clouds = 0; }},
+      {"release_time must", [](Settings& s) { s.release.time = -1.0; }},
+      {"source_timeout must", [](Settings& s) { s.source_timeout = 0.0; }},
+      {"min_valid_ratio must", [](Settings& s) { s.min_valid_ratio = 1.1; }},
+      {"publish_rate must", [](Settings& s) { s.publish_rate = 0.0; }},
+  };
+  for (const auto& [sentence, harm] : table) {
+    Settings settings;
+    harm(settings);
+    EXPECT_TRUE(mentions(problems_in(settings), sentence)) << sentence;
+  }
+}
+
+TEST(Settings, AllProblemsAreListedAtOnce) {
+  Settings settings;
+  settings.corridor.x_min = 1.0f;
+  settings.speeds.warning = -1.0;
+  settings.publish_rate = -1.0;
+  EXPECT_EQ(problems_in(settings).size(), std::size_t{3});
+}
+
+TEST(Settings, MethodsAreFoundByTheirNames) {
+  EXPECT_EQ(method_named("one_pass"), Method::OnePass);
+  EXPECT_EQ(method_named("pcl"), Method::Pcl);
+  EXPECT_FALSE(method_named("PCL"));
+}
+
+}  // namespace
+}  // namespace safety_control_cloud
