@@ -1,29 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 
 #include "cloud.hpp"
+#include "pixel_memory.hpp"
+#include "placement.hpp"
 
 namespace safety_control_cloud {
 
-/// The space the robot is about to drive through, in the optical frame (x right, y down, z forward), limits inclusive.
+/// The space the robot is about to drive through (x right, y down, z forward), limits inclusive.
 /// float32 like pcl::PassThrough's limits, so that a point on a limit falls on the same side in both.
 struct Corridor {
   float x_min = -0.30f;        ///< [m] to the left
   float x_max = 0.30f;         ///< [m] to the right
   float y_min = -0.25f;        ///< [m] up
   float y_max = 0.20f;         ///< [m] down
-  float range_min = 0.0f;      ///< [m] a return lies farther than this along z; (0, 0, 0) is no return
+  float range_min = 0.0f;      ///< [m] a return lies farther than this along the sensor's z; (0, 0, 0) is no return
   std::size_t min_points = 1;  ///< this many points make an obstacle
+
+  bool spans(float x) const { return x >= x_min && x <= x_max; }
+  bool holds(const Point& point) const { return spans(point.x) && point.y >= y_min && point.y <= y_max; }
 };
 
 /// A point that the robot would run into.
 struct Obstacle {
-  Point point;  ///< optical frame [m]; the origin if the sensor reported "too close" (-Inf, REP 117)
+  Point point;  ///< in the corridor's axes [m]; the origin if the sensor reported "too close" (-Inf, REP 117)
 
-  double distance() const { return point.z; }  ///< [m] along z from the sensor
+  double distance() const { return point.z; }  ///< [m] forward
 };
 
 /// What one cloud shows. "Nothing in the corridor" is an empty `nearest`; "could not look" is no Sight at all.
@@ -33,18 +39,42 @@ struct Sight {
   std::size_t too_close = 0;        ///< points at -Inf that cannot be placed outside the corridor
   std::size_t returns = 0;          ///< points with finite x, y, z and z > range_min
   std::size_t total = 0;            ///< points of the cloud
-  Cloud::Ptr crop;                  ///< the returns in the corridor, in the cloud's order, if asked for
+  std::size_t lost = 0;             ///< pixels without a return whose last one was near and in the corridor
+  Cloud::Ptr crop;                  ///< the returns in the corridor, in the cloud's order and frame, if asked for
 };
 
 enum class Crop { Skip, Keep };
 
+/// How to look, beside where: all of it in the same pass.
+struct Gaze {
+  Crop crop = Crop::Skip;
+  const Placement* placement = nullptr;  ///< nullptr: the corridor lies in the cloud's own frame
+  PixelMemory* memory = nullptr;         ///< brought up to date if given; must have the cloud's size
+};
+
 /// Looks down the corridor in one pass over the cloud's bytes.
-Sight look(const CloudView& cloud, const Corridor& corridor, Crop crop);
+Sight look(const CloudView& cloud, const Corridor& corridor, const Gaze& gaze = {});
 
-/// -Inf in z says "something is too close to measure" (REP 117). It counts unless its x or y lies finitely outside.
-bool is_too_close(float x, float y, float z, const Corridor& corridor);
+/// Whether a point of the cloud, in the sensor's frame, is a return.
+inline bool is_return(float x, float y, float z, const Corridor& corridor) {
+  return std::isfinite(x) && std::isfinite(y) && std::isfinite(z) && z > corridor.range_min;
+}
 
-/// The obstacle of a crop: the min_points-th point by z, where the points that are too close come first, at distance 0.
+/// -Inf in z says "something is too close to measure" (REP 117). It counts unless its x or y lies finitely outside;
+/// placed in another frame it cannot be told to lie outside.
+bool is_too_close(float x, float y, float z, const Corridor& corridor, const Gaze& gaze);
+
+/// A return in the corridor's axes. Behind their origin there is no corridor.
+inline Point placed(float x, float y, float z, const Gaze& gaze) {
+  return gaze.placement ? (*gaze.placement)(x, y, z) : Point(x, y, z);
+}
+inline bool is_inside(const Point& point, const Corridor& corridor) { return corridor.holds(point) && point.z > 0.0f; }
+
+/// What a pixel remembers of a return at this place.
+std::uint16_t remembered(const Point& point, const Corridor& corridor, float near_distance);
+
+/// The obstacle of the points inside, in the corridor's axes: the min_points-th by z, where the points that are too
+/// close come first, at distance 0.
 std::optional<Obstacle> nearest_of(std::size_t too_close, const Cloud& inside, const Corridor& corridor);
 
 }  // namespace safety_control_cloud

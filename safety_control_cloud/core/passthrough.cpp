@@ -2,24 +2,49 @@
 #include "passthrough.hpp"
 
 #include <pcl/common/common.h>
+#include <pcl/common/io.h>
 #include <pcl/filters/passthrough.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace safety_control_cloud {
 namespace {
 
-/// The points with low <= axis <= high; those with a NaN or an infinity are dropped whatever the axis.
-Cloud::Ptr passed(const Cloud::ConstPtr& cloud, const char* axis, float low, float high) {
-  Cloud::Ptr kept(new Cloud);
+using Indices = pcl::IndicesPtr::element_type;  // PCL 1.10 has no other name for it
+
+constexpr float largest = std::numeric_limits<float>::max();
+
+/// Which of these points have low <= axis <= high; those with a NaN or an infinity are dropped whatever the axis.
+pcl::IndicesPtr passed(const Cloud::ConstPtr& cloud, const pcl::IndicesPtr& among, const char* axis, float low,
+                       float high) {
+  pcl::IndicesPtr kept(new Indices);
   pcl::PassThrough<Point> filter;
   filter.setInputCloud(cloud);
+  if (among) filter.setIndices(among);
   filter.setFilterFieldName(axis);
   filter.setFilterLimits(low, high);
   filter.filter(*kept);
   return kept;
+}
+
+Cloud::Ptr picked(const Cloud& cloud, const Indices& indices) {
+  Cloud::Ptr points(new Cloud);
+  pcl::copyPointCloud(cloud, indices, *points);
+  return points;
+}
+
+/// The cloud in the corridor's axes; a point that is no return becomes NaN, because it has no place there.
+Cloud::Ptr placed_cloud(const Cloud& cloud, const Corridor& corridor, const Gaze& gaze) {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  Cloud::Ptr points(new Cloud(cloud));
+  for (Point& point : *points) {
+    const auto [x, y, z] = std::tie(point.x, point.y, point.z);
+    point = is_return(x, y, z, corridor) ? placed(x, y, z, gaze) : Point(nan, nan, nan);
+  }
+  return points;
 }
 
 /// getMinMax3D, asked only where there is a point: of an empty cloud it would say 3.4e38 m, which reads "Safe".
@@ -30,26 +55,42 @@ std::optional<Obstacle> nearest_in(const Cloud& inside) {
   return Obstacle{*std::find_if(inside.begin(), inside.end(), [&](const Point& point) { return point.z == low.z; })};
 }
 
+/// Brings the memory up to date; how many pixels have lost a near return in the corridor.
+std::size_t remember(const Cloud& placed, const Corridor& corridor, PixelMemory& memory) {
+  std::size_t lost = 0;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    std::uint16_t& pixel = memory.pixels[i];
+    const bool returned = std::isfinite(placed.points[i].z);
+    if (returned) pixel = remembered(placed.points[i], corridor, memory.distance);
+    const std::uint16_t code = PixelMemory::code_of(pixel);
+    if (!returned && PixelMemory::is_near(code)) ++lost;
+    pixel = static_cast<std::uint16_t>(returned ? code | PixelMemory::now : code);
+  }
+  return lost;
+}
+
 }  // namespace
 
-Sight passthrough(const CloudView& view, const Corridor& corridor, Crop crop) {
+Sight passthrough(const CloudView& view, const Corridor& corridor, const Gaze& gaze) {
   const Cloud::Ptr cloud(new Cloud(to_cloud(view)));
-  const auto too_close = std::count_if(cloud->begin(), cloud->end(), [&](const Point& point) {
-    return is_too_close(point.x, point.y, point.z, corridor);
-  });
-  constexpr float largest = std::numeric_limits<float>::max();
-  const auto returns = passed(cloud, "z", std::nextafter(corridor.range_min, largest), largest);
-  const auto between_heights = passed(returns, "y", corridor.y_min, corridor.y_max);
-  const auto inside = passed(between_heights, "x", corridor.x_min, corridor.x_max);
+  const Cloud::Ptr points = placed_cloud(*cloud, corridor, gaze);
+  const auto returns = passed(cloud, nullptr, "z", std::nextafter(corridor.range_min, largest), largest);
+  const auto ahead = passed(points, returns, "z", std::numeric_limits<float>::denorm_min(), largest);
+  const auto between_heights = passed(points, ahead, "y", corridor.y_min, corridor.y_max);
+  const auto inside = passed(points, between_heights, "x", corridor.x_min, corridor.x_max);
 
   Sight sight;
   sight.total = view.size();
-  sight.too_close = static_cast<std::size_t>(too_close);
+  sight.too_close = static_cast<std::size_t>(std::count_if(cloud->begin(), cloud->end(), [&](const Point& point) {
+    return is_too_close(point.x, point.y, point.z, corridor, gaze);
+  }));
   sight.returns = returns->size();
   sight.inside = inside->size();
-  sight.nearest =
-      corridor.min_points == 1 && too_close == 0 ? nearest_in(*inside) : nearest_of(sight.too_close, *inside, corridor);
-  if (crop == Crop::Keep) sight.crop = inside;
+  const Cloud::Ptr obstacles = picked(*points, *inside);
+  sight.nearest = corridor.min_points == 1 && sight.too_close == 0 ? nearest_in(*obstacles)
+                                                                   : nearest_of(sight.too_close, *obstacles, corridor);
+  if (gaze.memory) sight.lost = remember(*points, corridor, *gaze.memory);
+  if (gaze.crop == Crop::Keep) sight.crop = picked(*cloud, *inside);
   return sight;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "safety_control.hpp"
 
+#include <algorithm>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -9,6 +11,9 @@
 
 namespace safety_control_cloud {
 namespace {
+
+/// [s] by which ROS time may go back without a stop: clocks of computers are set right in such small steps.
+constexpr double clock_slack = 0.1;
 
 std::string measured(double value, const char* unit) {
   std::ostringstream text;
@@ -28,8 +33,8 @@ Settings checked(const Settings& settings) {
   return settings;
 }
 
-Sight look_by(Method method, const CloudView& cloud, const Corridor& corridor, Crop crop) {
-  return method == Method::Pcl ? passthrough(cloud, corridor, crop) : look(cloud, corridor, crop);
+Sight look_by(Method method, const CloudView& cloud, const Corridor& corridor, const Gaze& gaze) {
+  return method == Method::Pcl ? passthrough(cloud, corridor, gaze) : look(cloud, corridor, gaze);
 }
 
 /// Few returns are no proof of free space.
@@ -38,57 +43,114 @@ bool is_blind(const Sight& sight, double min_valid_ratio) {
   return static_cast<double>(sight.returns) < min_valid_ratio * static_cast<double>(sight.total);
 }
 
-}  // namespace
-
-const char* name_of(Cause cause) {
-  switch (cause) {
-    case Cause::Seen:
-      return "SEEN";
-    case Cause::NoCloud:
-      return "NO_CLOUD";
-    case Cause::Silent:
-      return "SILENT";
-    case Cause::Unreadable:
-      return "UNREADABLE";
-    case Cause::Blind:
-      return "BLIND";
-  }
-  return "UNKNOWN";
+Zone zone_of(const Loss& loss, const ZoneLimits& limits) {
+  return loss.whole || !loss.distance ? Zone::Danger : zone_at(*loss.distance, limits);
 }
 
-SafetyControl::SafetyControl(const Settings& settings) : settings_(checked(settings)), latch_(settings_.release) {
+std::optional<Obstacle> obstacle_of(const Loss& loss) {
+  if (!loss.distance) return std::nullopt;
+  constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+  return Obstacle{Point(unknown, unknown, static_cast<float>(*loss.distance))};
+}
+
+}  // namespace
+
+SafetyControl::SafetyControl(const Settings& settings)
+    : settings_(checked(settings)),
+      corridor_(corridor_of(settings_)),
+      latch_(settings_.release),
+      near_loss_(settings_.near_loss) {
   last_.reason = "no cloud has arrived yet";
 }
 
-Decision SafetyControl::decide(const Reading& cloud, double now, Crop crop) {
-  last_arrival_ = now;
-  if (const auto* unreadable = std::get_if<Unreadable>(&cloud)) {
-    return stop(Cause::Unreadable, unreadable->reason, now);
-  }
-  return decide_by(look_by(settings_.method, std::get<CloudView>(cloud), settings_.corridor, crop), now);
+void SafetyControl::take(const Settings& settings) {
+  settings_ = checked(settings);
+  corridor_ = corridor_of(settings_);
+  latch_.hold(settings_.release);
+  near_loss_.limit(settings_.near_loss);
 }
 
-Decision SafetyControl::decide_by(const Sight& sight, double now) {
+Decision SafetyControl::decide(const Reading& reading, const Origin& origin, const Instant& now, Crop crop) {
+  last_arrival_ = now.steady;
+  if (const auto doubt = doubt_before_looking(reading, origin, now)) return *doubt;
+
+  const CloudView& cloud = std::get<CloudView>(reading);
+  Gaze gaze;
+  gaze.crop = crop;
+  gaze.placement = std::get_if<Placement>(&origin.placing);
+  gaze.memory = near_loss_.memory_for(cloud);
+  const Sight sight = look_by(settings_.method, cloud, corridor_, gaze);
+
+  if (const auto doubt = doubt_about(sight, cloud, origin.stamp, now.steady)) return *doubt;
+  const auto loss = near_loss_.judge(cloud, sight, corridor_, gaze, now.steady);
+  return decide_by(sight, loss, now.steady);
+}
+
+std::optional<Decision> SafetyControl::doubt_before_looking(const Reading& reading, const Origin& origin,
+                                                            const Instant& now) {
+  if (clock_went_back(now.ros)) return stop(Cause::ClockJump, "ROS time went backwards", now.steady);
+  if (const auto* unreadable = std::get_if<Unreadable>(&reading)) {
+    return stop(Cause::Unreadable, unreadable->reason, now.steady);
+  }
+  const double age = now.ros - origin.stamp, tolerance = settings_.stamp_tolerance;
+  if (tolerance > 0.0 && !(age <= tolerance)) {
+    return stop(Cause::Stale, "the cloud's stamp is " + measured(age, "s") + " old", now.steady);
+  }
+  if (tolerance > 0.0 && !(age >= -tolerance)) {
+    return stop(Cause::Future, "the cloud's stamp is " + measured(-age, "s") + " ahead", now.steady);
+  }
+  if (const auto* missing = std::get_if<NoTransform>(&origin.placing)) {
+    return stop(Cause::NoTransform, missing->reason, now.steady);
+  }
+  return std::nullopt;
+}
+
+std::optional<Decision> SafetyControl::doubt_about(const Sight& sight, const CloudView& cloud, double stamp,
+                                                   double now) {
   if (is_blind(sight, settings_.min_valid_ratio)) {
     stop(Cause::Blind, std::to_string(sight.returns) + " returns of " + std::to_string(sight.total) + " points", now);
     last_.sight = sight;
     return last_;
   }
-  const Zone seen = sight.nearest ? zone_at(sight.nearest->distance(), settings_.limits) : Zone::Safe;
-  last_.zone = latch_.update(seen, now);
-  last_.speed = speed_for(last_.zone, settings_.speeds);
-  last_.cause = Cause::Seen;
-  last_.reason = sight.nearest ? "nearest obstacle at " + measured(sight.nearest->distance(), "m") : "corridor is free";
-  last_.nearest = sight.nearest;
+  if (settings_.frozen_clouds == 0) return std::nullopt;
+  const std::size_t same = frozen_.count(cloud, stamp);
+  if (same < settings_.frozen_clouds) return std::nullopt;
+  stop(Cause::Frozen, std::to_string(same) + " successive clouds have the same content", now);
   last_.sight = sight;
   return last_;
 }
 
-Decision SafetyControl::without_cloud(double now) {
-  if (last_arrival_ && now - *last_arrival_ > settings_.source_timeout) {
-    return stop(Cause::Silent, "no cloud for " + measured(now - *last_arrival_, "s"), now);
+Decision SafetyControl::decide_by(const Sight& sight, const std::optional<Loss>& loss, double now) {
+  const Zone seen = sight.nearest ? zone_at(sight.nearest->distance(), settings_.limits) : Zone::Safe;
+  const Zone lost = loss ? zone_of(*loss, settings_.limits) : Zone::Safe;
+  last_.zone = latch_.update(std::min(seen, lost), now);
+  last_.speed = speed_for(last_.zone, settings_.speeds);
+  last_.sight = sight;
+  if (lost < seen) {
+    last_.cause = Cause::NearLoss;
+    last_.reason = loss->reason;
+    last_.nearest = obstacle_of(*loss);
+  } else {
+    last_.cause = Cause::Seen;
+    last_.reason =
+        sight.nearest ? "nearest obstacle at " + measured(sight.nearest->distance(), "m") : "corridor is free";
+    last_.nearest = sight.nearest;
   }
   return last_;
+}
+
+Decision SafetyControl::without_cloud(const Instant& now) {
+  if (clock_went_back(now.ros)) return stop(Cause::ClockJump, "ROS time went backwards", now.steady);
+  if (last_arrival_ && now.steady - *last_arrival_ > settings_.source_timeout) {
+    return stop(Cause::Silent, "no cloud for " + measured(now.steady - *last_arrival_, "s"), now.steady);
+  }
+  return last_;
+}
+
+bool SafetyControl::clock_went_back(double ros_now) {
+  const bool back = last_ros_ && ros_now < *last_ros_ - clock_slack;
+  last_ros_ = ros_now;
+  return back;
 }
 
 Decision SafetyControl::stop(Cause cause, std::string reason, double now) {

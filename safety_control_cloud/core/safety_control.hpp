@@ -1,28 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 
+#include "cause.hpp"
 #include "corridor.hpp"
+#include "frozen.hpp"
 #include "layout.hpp"
+#include "near_loss.hpp"
+#include "placement.hpp"
 #include "settings.hpp"
 #include "speed.hpp"
 #include "zone.hpp"
 
 namespace safety_control_cloud {
-
-/// Why a decision is what it is. With every cause but SEEN the node could not look, and the robot stands.
-enum class Cause : std::uint8_t {
-  Seen = 0,        ///< the cloud could be read and the sensor sees
-  NoCloud = 1,     ///< nothing received yet
-  Silent = 2,      ///< no cloud for source_timeout
-  Unreadable = 3,  ///< the cloud's layout contradicts itself
-  Blind = 4,       ///< too few returns to tell free space from no sight
-};
-
-const char* name_of(Cause cause);  ///< "SEEN", "NO_CLOUD", ...
 
 /// How fast the robot may go, and why. As it is made, it says stop.
 struct Decision {
@@ -30,32 +22,56 @@ struct Decision {
   double speed = 0.0;  ///< [m/s] forward
   Cause cause = Cause::NoCloud;
   std::string reason;               ///< the cause in words, with its figures
-  std::optional<Obstacle> nearest;  ///< what the zone was decided by
+  std::optional<Obstacle> nearest;  ///< what the zone was decided by; x and y are NaN if only its distance is known
   Sight sight;                      ///< all zero if the cloud could not be looked at
 };
 
-/// Decides how fast the robot may go, one cloud at a time. Needs no ROS and no clock: `now` [s] is any clock that never
-/// goes back, the same one in every call.
+/// One moment on two clocks [s].
+struct Instant {
+  double steady = 0.0;  ///< never goes back
+  double ros = 0.0;     ///< ROS time, the clock of the stamps
+};
+
+/// Where and when a cloud was taken.
+struct Origin {
+  double stamp = 0.0;  ///< [s] ROS time
+  Placing placing = OpticalFrame{};
+};
+
+/// Decides how fast the robot may go, one cloud at a time. Needs no ROS and no clock: the time is an argument.
 class SafetyControl {
  public:
   /// Throws std::invalid_argument with all problems_in(settings), if there are any.
   explicit SafetyControl(const Settings& settings);
 
   /// The decision for a cloud that has just arrived, readable or not.
-  Decision decide(const Reading& cloud, double now, Crop crop = Crop::Skip);
+  Decision decide(const Reading& cloud, const Origin& origin, const Instant& now, Crop crop = Crop::Skip);
 
   /// The decision that holds when no cloud arrives: the last one until source_timeout, then stop.
-  Decision without_cloud(double now);
+  Decision without_cloud(const Instant& now);
+
+  /// Goes on with other settings; throws like the constructor and then keeps the old ones.
+  void take(const Settings& settings);
+
+  /// Forgets the near obstacles that were lost from sight: somebody has looked.
+  void forget_losses() { near_loss_.forget(); }
 
   const Settings& settings() const { return settings_; }
 
  private:
-  Decision decide_by(const Sight& sight, double now);
+  std::optional<Decision> doubt_before_looking(const Reading& cloud, const Origin& origin, const Instant& now);
+  std::optional<Decision> doubt_about(const Sight& sight, const CloudView& cloud, double stamp, double now);
+  Decision decide_by(const Sight& sight, const std::optional<Loss>& loss, double now);
   Decision stop(Cause cause, std::string reason, double now);
+  bool clock_went_back(double ros_now);
 
   Settings settings_;
+  Corridor corridor_;
   ZoneLatch latch_;
-  std::optional<double> last_arrival_;
+  NearLoss near_loss_;
+  FrozenWatch frozen_;
+  std::optional<double> last_arrival_;  ///< [s] steady
+  std::optional<double> last_ros_;      ///< [s] ROS time
   Decision last_;
 };
 

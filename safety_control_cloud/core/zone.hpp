@@ -30,6 +30,7 @@ class ZoneLatch {
   explicit ZoneLatch(const Hold& hold) : hold_(hold) {}
 
   Zone update(Zone seen, double now);  ///< now [s] on a clock that never goes back
+  void hold(const Hold& hold) { hold_ = hold; }
 
  private:
   Hold hold_;

@@ -72,18 +72,28 @@ BorrowedCloud cloud_in(const py::object& given) {
 
 core::Crop crop_if(bool wanted) { return wanted ? core::Crop::Keep : core::Crop::Skip; }
 
-template <core::Sight (*Look)(const core::CloudView&, const core::Corridor&, core::Crop)>
+template <core::Sight (*Look)(const core::CloudView&, const core::Corridor&, const core::Gaze&)>
 core::Sight look(const py::object& given, const core::Settings& settings, bool crop) {
   const BorrowedCloud cloud = cloud_in(given);
   const core::CloudView& view = cloud.view();
   const py::gil_scoped_release unlocked;
-  return Look(view, settings.corridor, crop_if(crop));
+  core::Gaze gaze;
+  gaze.crop = crop_if(crop);
+  return Look(view, settings.corridor, gaze);
 }
 
-core::Decision decide(core::SafetyControl& control, const py::object& given, double now, bool crop) {
+/// With stamp and ros_now left out, every cloud is as old as it should be.
+core::Decision decide(core::SafetyControl& control, const py::object& given, double now, bool crop,
+                      std::optional<double> stamp, std::optional<double> ros_now) {
   const BorrowedCloud cloud = cloud_in(given);
+  const core::Instant instant{now, ros_now.value_or(now)};
+  const core::Origin origin{stamp.value_or(instant.ros), core::OpticalFrame{}};
   const py::gil_scoped_release unlocked;
-  return control.decide(cloud.reading, now, crop_if(crop));
+  return control.decide(cloud.reading, origin, instant, crop_if(crop));
+}
+
+core::Decision without_cloud(core::SafetyControl& control, double now, std::optional<double> ros_now) {
+  return control.without_cloud(core::Instant{now, ros_now.value_or(now)});
 }
 
 /// (N, 3) float32 over the crop's own memory.
@@ -178,7 +188,13 @@ void bind_results(py::module& module) {
       .value("NO_CLOUD", core::Cause::NoCloud)
       .value("SILENT", core::Cause::Silent)
       .value("UNREADABLE", core::Cause::Unreadable)
-      .value("BLIND", core::Cause::Blind);
+      .value("BLIND", core::Cause::Blind)
+      .value("STALE", core::Cause::Stale)
+      .value("FUTURE", core::Cause::Future)
+      .value("CLOCK_JUMP", core::Cause::ClockJump)
+      .value("NEAR_LOSS", core::Cause::NearLoss)
+      .value("FROZEN", core::Cause::Frozen)
+      .value("NO_TRANSFORM", core::Cause::NoTransform);
   py::class_<core::Obstacle>(module, "Obstacle")
       .def_property_readonly("distance", &core::Obstacle::distance)
       .def_property_readonly("point", [](const core::Obstacle& obstacle) {
@@ -190,6 +206,7 @@ void bind_results(py::module& module) {
       .def_readonly("too_close", &core::Sight::too_close)
       .def_readonly("returns", &core::Sight::returns)
       .def_readonly("total", &core::Sight::total)
+      .def_readonly("lost", &core::Sight::lost)
       .def_property_readonly("crop", [](const core::Sight& sight) { return array_over(sight.crop); });
   py::class_<core::Decision>(module, "Decision")
       .def_readonly("zone", &core::Decision::zone)
@@ -217,6 +234,8 @@ PYBIND11_MODULE(core, module) {
       py::arg("zone"), py::arg("settings") = core::Settings{});
   py::class_<core::SafetyControl>(module, "SafetyControl")
       .def(py::init<const core::Settings&>(), py::arg("settings") = core::Settings{})
-      .def("decide", &decide, py::arg("cloud"), py::arg("now"), py::arg("crop") = false)
-      .def("without_cloud", &core::SafetyControl::without_cloud, py::arg("now"));
+      .def("decide", &decide, py::arg("cloud"), py::arg("now"), py::arg("crop") = false, py::arg("stamp") = py::none(),
+           py::arg("ros_now") = py::none())
+      .def("without_cloud", &without_cloud, py::arg("now"), py::arg("ros_now") = py::none())
+      .def("forget_losses", &core::SafetyControl::forget_losses);
 }

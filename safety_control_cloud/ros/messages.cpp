@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include "frame.hpp"
+
 namespace safety_control_cloud {
 namespace {
 
@@ -29,12 +31,10 @@ double nearest_in(const Decision& decision) {
   return decision.cause == Cause::Seen ? free_ahead : unknown;
 }
 
-geometry_msgs::Point nearest_point_in(const Decision& decision) {
-  geometry_msgs::Point point;
-  point.x = decision.nearest ? decision.nearest->point.x : unknown;
-  point.y = decision.nearest ? decision.nearest->point.y : unknown;
-  point.z = decision.nearest ? decision.nearest->point.z : unknown;
-  return point;
+geometry_msgs::Point nearest_point_in(const Decision& decision, const CorridorFrame& frame) {
+  if (!decision.nearest) return frame.point(unknown, unknown, unknown);
+  const Point& point = decision.nearest->point;
+  return frame.point(point.x, point.y, point.z);
 }
 
 }  // namespace
@@ -49,16 +49,18 @@ geometry_msgs::Twist to_twist(const Decision& decision) {
   return twist;
 }
 
-SafetyState to_state(const Decision& decision, const std_msgs::Header& header) {
+SafetyState to_state(const Decision& decision, const Settings& settings, const std_msgs::Header& cloud) {
+  const CorridorFrame frame(settings, cloud);
   SafetyState state;
-  state.header = header;
+  state.header = cloud;
   state.zone = static_cast<std::uint8_t>(decision.zone);
   state.zone_text = name_of(decision.zone);
   state.cause = static_cast<std::uint8_t>(decision.cause);
   state.cause_text = name_of(decision.cause);
   state.reason = decision.reason;
   state.nearest = nearest_in(decision);
-  state.nearest_point = nearest_point_in(decision);
+  state.nearest_point = nearest_point_in(decision, frame);
+  state.nearest_frame = frame.id();
   state.inside = static_cast<std::uint32_t>(decision.sight.inside);
   state.returns = static_cast<std::uint32_t>(decision.sight.returns);
   state.total = static_cast<std::uint32_t>(decision.sight.total);

@@ -14,8 +14,8 @@ Reading view_of(const sensor_msgs::PointCloud2& cloud);
 
 geometry_msgs::Twist to_twist(const Decision& decision);
 
-/// `header` is that of the cloud decided on.
-SafetyState to_state(const Decision& decision, const std_msgs::Header& header);
+/// `cloud` is the header of the cloud decided on.
+SafetyState to_state(const Decision& decision, const Settings& settings, const std_msgs::Header& cloud);
 
 /// The crop as a message, with the header of the cloud it was cut from. Not pcl_ros's own transport of a pcl cloud: PCL
 /// keeps stamps in microseconds, and whoever pairs /output with its cloud by stamp needs the same one.

@@ -34,7 +34,7 @@ std::size_t edits_between(const std::string& from, const std::string& to) {
 }
 
 std::vector<std::string> known_names() {
-  std::vector<std::string> names;
+  std::vector<std::string> names = {"diagnostic_period", "refusal"};  // diagnostic_updater's, dynamic_reconfigure's
   const Settings defaults;
   for_each_parameter(defaults, [&](const char* name, const auto&) { names.emplace_back(name); });
   return names;
@@ -92,10 +92,17 @@ struct Taking {
     return std::nullopt;
   }
 
-  std::optional<std::string> into(Method& setting) const {
+  std::optional<std::string> into(std::string& setting) const {
     XmlRpcValue value = given;
-    const std::string name = value.getType() == XmlRpcValue::TypeString ? static_cast<std::string&>(value) : "";
-    const auto method = method_named(name);
+    if (value.getType() != XmlRpcValue::TypeString) return "must be a name";
+    setting = static_cast<std::string&>(value);
+    return std::nullopt;
+  }
+
+  std::optional<std::string> into(Method& setting) const {
+    std::string name;
+    const bool is_name = !into(name);
+    const auto method = is_name ? method_named(name) : std::nullopt;
     if (!method) return "must be one_pass or pcl";
     setting = *method;
     return std::nullopt;

@@ -2,9 +2,12 @@
 #include "safety_node.hpp"
 
 #include <geometry_msgs/Twist.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "markers.hpp"
 #include "messages.hpp"
 #include "parameters.hpp"
 
@@ -12,9 +15,21 @@ namespace safety_control_cloud {
 namespace {
 
 constexpr double log_period = 1.0;      ///< [s] between two lines that say the same
+constexpr double markers_period = 0.1;  ///< [s] rviz needs no more
 constexpr double shortest_wait = 1e-3;  ///< [s] so that a timer that is due does not spin
+constexpr double recording_age = 60.0;  ///< [s] an older stamp is a recording's, not a slow camera's
 
 double seconds_since(const ros::SteadyTime& then) { return (ros::SteadyTime::now() - then).toSec(); }
+
+Instant now() { return Instant{ros::SteadyTime::now().toSec(), ros::Time::now().toSec()}; }
+
+/// What to do about a stamp that is far from now, if that is plain.
+const char* advice_for(const Decision& decision, const std_msgs::Header& cloud) {
+  if (decision.cause != Cause::Stale && decision.cause != Cause::Future) return "";
+  if (ros::Time::isSimTime() && ros::Time::now().isZero()) return " (use_sim_time is set and nobody publishes /clock)";
+  const bool recording = std::abs((ros::Time::now() - cloud.stamp).toSec()) > recording_age;
+  return recording ? " (a recording needs: rosparam set use_sim_time true, rosbag play --clock)" : "";
+}
 
 }  // namespace
 
@@ -22,12 +37,19 @@ SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle)
     : control_(load_settings(private_handle)),
       command_(handle.advertise<geometry_msgs::Twist>("cmd_vel_mux/input/teleop", 1)),
       output_(handle.advertise<sensor_msgs::PointCloud2>("output", 1)),
-      state_(private_handle.advertise<SafetyState>("state", 1, true)) {
+      state_(private_handle.advertise<SafetyState>("state", 1, true)),
+      markers_(private_handle.advertise<visualization_msgs::MarkerArray>("markers", 1, true)),
+      reset_(private_handle.advertiseService("reset", &SafetyNode::on_reset, this)),
+      reconfigure_(private_handle, control_),
+      diagnostics_(handle, private_handle) {
+  for (const auto& doubt : doubts_about(control_.settings())) ROS_WARN("%s", doubt.c_str());
+  const std::string& target_frame = control_.settings().target_frame;
+  if (!target_frame.empty()) camera_place_ = std::make_unique<CameraPlace>(target_frame);
   constexpr bool once = true, not_yet = false;
   quiet_ = handle.createSteadyTimer(ros::WallDuration(1.0), &SafetyNode::on_quiet, this, once, not_yet);
   const auto hints = ros::TransportHints().tcpNoDelay();
   clouds_ = handle.subscribe("camera/depth/points", 1, &SafetyNode::on_cloud, this, hints);
-  publish(control_.without_cloud(ros::SteadyTime::now().toSec()));
+  publish(control_.without_cloud(now()));
 }
 
 SafetyNode::~SafetyNode() { command_.publish(geometry_msgs::Twist()); }
@@ -39,27 +61,50 @@ void SafetyNode::on_cloud(const sensor_msgs::PointCloud2& cloud) {
   const Decision decision = decide(cloud);
   publish(decision);
   if (decision.sight.crop) output_.publish(to_output(*decision.sight.crop, cloud.header));
+  diagnostics_.on_cloud(decision, cloud.header, seconds_since(last_cloud_),
+                        (ros::Time::now() - cloud.header.stamp).toSec());
 }
 
 /// The one border where an exception becomes a decision: whatever went wrong, the robot stands.
 Decision SafetyNode::decide(const sensor_msgs::PointCloud2& cloud) {
-  const double now = ros::SteadyTime::now().toSec();
+  const Origin origin{cloud.header.stamp.toSec(), placing_of(cloud.header)};
   try {
-    return control_.decide(view_of(cloud), now, output_.getNumSubscribers() > 0 ? Crop::Keep : Crop::Skip);
+    const Crop crop = output_.getNumSubscribers() > 0 ? Crop::Keep : Crop::Skip;
+    return control_.decide(view_of(cloud), origin, now(), crop);
   } catch (const std::exception& problem) {
-    return control_.decide(Unreadable{problem.what()}, now);
+    return control_.decide(Unreadable{problem.what()}, origin, now());
   }
 }
 
+Placing SafetyNode::placing_of(const std_msgs::Header& cloud) const {
+  return camera_place_ ? camera_place_->at(cloud) : Placing(OpticalFrame{});
+}
+
 void SafetyNode::on_quiet(const ros::SteadyTimerEvent&) {
-  publish(control_.without_cloud(ros::SteadyTime::now().toSec()));
+  const Decision decision = control_.without_cloud(now());
+  publish(decision);
+  diagnostics_.on_quiet(decision);
+}
+
+bool SafetyNode::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& answer) {
+  control_.forget_losses();
+  answer.success = true;
+  answer.message = "near obstacles lost from sight are forgotten";
+  return true;
 }
 
 void SafetyNode::publish(const Decision& decision) {
   command_.publish(to_twist(decision));
-  state_.publish(to_state(decision, header_));
+  state_.publish(to_state(decision, control_.settings(), header_));
+  publish_markers(decision);
   log(decision);
   wake_when_quiet();
+}
+
+void SafetyNode::publish_markers(const Decision& decision) {
+  if (markers_.getNumSubscribers() == 0 || seconds_since(last_markers_) < markers_period) return;
+  markers_.publish(to_markers(decision, control_.settings(), header_));
+  last_markers_ = ros::SteadyTime::now();
 }
 
 void SafetyNode::log(const Decision& decision) {
@@ -68,7 +113,8 @@ void SafetyNode::log(const Decision& decision) {
   if (decision.cause == Cause::Seen) {
     ROS_INFO("%s zone", name_of(decision.zone));
   } else {
-    ROS_WARN("%s zone: %s, %s", name_of(decision.zone), name_of(decision.cause), decision.reason.c_str());
+    ROS_WARN("%s zone: %s, %s%s", name_of(decision.zone), name_of(decision.cause), decision.reason.c_str(),
+             advice_for(decision, header_));
   }
   logged_ = decision;
   last_log_ = ros::SteadyTime::now();

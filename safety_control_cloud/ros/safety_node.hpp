@@ -3,8 +3,14 @@
 
 #include <ros/ros.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <std_srvs/Trigger.h>
+
+#include <memory>
 
 #include "../core/safety_control.hpp"
+#include "diagnostics.hpp"
+#include "reconfigure.hpp"
+#include "transforms.hpp"
 
 namespace safety_control_cloud {
 
@@ -21,16 +27,24 @@ class SafetyNode {
  private:
   void on_cloud(const sensor_msgs::PointCloud2& cloud);
   void on_quiet(const ros::SteadyTimerEvent&);
+  bool on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& answer);
+
   Decision decide(const sensor_msgs::PointCloud2& cloud);
+  Placing placing_of(const std_msgs::Header& cloud) const;
   void publish(const Decision& decision);
+  void publish_markers(const Decision& decision);
   void log(const Decision& decision);
   void wake_when_quiet();
 
   SafetyControl control_;
-  ros::Publisher command_, output_, state_;
+  std::unique_ptr<CameraPlace> camera_place_;  ///< only with a target frame
+  ros::Publisher command_, output_, state_, markers_;
   ros::Subscriber clouds_;
+  ros::ServiceServer reset_;
   ros::SteadyTimer quiet_;
-  ros::SteadyTime last_cloud_, last_log_;
+  Reconfigure reconfigure_;
+  Diagnostics diagnostics_;
+  ros::SteadyTime last_cloud_, last_log_, last_markers_;
   std_msgs::Header header_;
   Decision logged_;
 };

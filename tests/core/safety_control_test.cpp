@@ -11,10 +11,22 @@
 namespace safety_control_cloud {
 namespace {
 
+/// A cloud that is taken, sent and looked at all at once.
+Decision decide(SafetyControl& control, const Reading& cloud, double now = 1.0) {
+  return control.decide(cloud, Origin{now}, Instant{now, now});
+}
+
 Decision decide_at(double distance, SafetyControl& control, double now = 1.0) {
   const std::vector<Xyz> points = {{0.0f, 0.0f, static_cast<float>(distance)}};
-  return control.decide(view_of(points), now);
+  return decide(control, view_of(points), now);
 }
+
+Decision decide_alone(const std::vector<Xyz>& points) {
+  SafetyControl control{Settings{}};
+  return decide(control, view_of(points));
+}
+
+Decision quiet(SafetyControl& control, double now) { return control.without_cloud(Instant{now, now}); }
 
 Decision decide_at(double distance) {
   SafetyControl control{Settings{}};
@@ -42,14 +54,15 @@ TEST(SafetyControl, RobotStandsWithAnObstacleAtHalfAMetreOrNearer) {
 
 TEST(SafetyControl, RobotDrivesWhenTheCorridorWasSeenToBeFree) {
   const std::vector<Xyz> beside = {{3.0f, 0.0f, 0.4f}};
-  const Decision decision = SafetyControl{Settings{}}.decide(view_of(beside), 1.0);
+  const Decision decision = decide_alone(beside);
   EXPECT_EQ(decision.zone, Zone::Safe);
   EXPECT_EQ(decision.cause, Cause::Seen);
   EXPECT_FALSE(decision.nearest);
 }
 
 TEST(SafetyControl, RobotStandsBeforeTheFirstCloud) {
-  const Decision decision = SafetyControl{Settings{}}.without_cloud(100.0);
+  SafetyControl control{Settings{}};
+  const Decision decision = quiet(control, 100.0);
   EXPECT_EQ(decision.cause, Cause::NoCloud);
   EXPECT_EQ(decision.speed, 0.0);
 }
@@ -57,8 +70,8 @@ TEST(SafetyControl, RobotStandsBeforeTheFirstCloud) {
 TEST(SafetyControl, LastDecisionHoldsUntilTheSourceTimesOut) {
   SafetyControl control{Settings{}};
   decide_at(2.0, control, 10.0);
-  EXPECT_EQ(control.without_cloud(10.5).speed, 0.2);
-  const Decision decision = control.without_cloud(10.6);
+  EXPECT_EQ(quiet(control, 10.5).speed, 0.2);
+  const Decision decision = quiet(control, 10.6);
   EXPECT_EQ(decision.cause, Cause::Silent);
   EXPECT_EQ(decision.zone, Zone::Danger);
   EXPECT_EQ(decision.speed, 0.0);
@@ -68,7 +81,7 @@ TEST(SafetyControl, LastDecisionHoldsUntilTheSourceTimesOut) {
 TEST(SafetyControl, RobotGoesOnByItselfWhenTheCameraIsBack) {
   SafetyControl control{Settings{}};
   decide_at(2.0, control, 10.0);
-  control.without_cloud(20.0);
+  quiet(control, 20.0);
   EXPECT_EQ(decide_at(2.0, control, 20.1).speed, 0.2);
 }
 
@@ -76,7 +89,7 @@ TEST(SafetyControl, RobotStandsWhenNothingReturns) {
   for (const auto& points : {std::vector<Xyz>{}, {{nan, nan, nan}}, {{0, 0, 0}}, {{0, 0, inf}, {nan, 0, 1}}}) {
     SafetyControl control{Settings{}};
     decide_at(2.0, control);
-    const Decision decision = control.decide(view_of(points), 1.1);
+    const Decision decision = decide(control, view_of(points), 1.1);
     EXPECT_EQ(decision.cause, Cause::Blind);
     EXPECT_EQ(decision.zone, Zone::Danger);
     EXPECT_EQ(decision.speed, 0.0);
@@ -86,9 +99,9 @@ TEST(SafetyControl, RobotStandsWhenNothingReturns) {
 TEST(SafetyControl, RobotStandsWhenTooLittleReturnsToTellFreeFromBlind) {
   std::vector<Xyz> points(100, Xyz{nan, nan, nan});
   std::fill_n(points.begin(), 9, Xyz{0.0f, 0.0f, 3.0f});
-  EXPECT_EQ(SafetyControl{Settings{}}.decide(view_of(points), 1.0).cause, Cause::Blind);
+  EXPECT_EQ(decide_alone(points).cause, Cause::Blind);
   points[9] = points[0];
-  EXPECT_EQ(SafetyControl{Settings{}}.decide(view_of(points), 1.0).cause, Cause::Seen);
+  EXPECT_EQ(decide_alone(points).cause, Cause::Seen);
 }
 
 TEST(SafetyControl, RobotStandsForEveryMalformedCloud) {
@@ -97,7 +110,7 @@ TEST(SafetyControl, RobotStandsForEveryMalformedCloud) {
     decide_at(2.0, control);
     const auto [layout, size] = malformed.cloud();
     const std::vector<std::uint8_t> bytes(size);
-    const Decision decision = control.decide(view_of(layout, bytes.data(), bytes.size()), 1.1);
+    const Decision decision = decide(control, view_of(layout, bytes.data(), bytes.size()), 1.1);
     EXPECT_EQ(decision.cause, Cause::Unreadable) << malformed.name;
     EXPECT_EQ(decision.speed, 0.0) << malformed.name;
     EXPECT_FALSE(decision.reason.empty()) << malformed.name;
@@ -106,8 +119,8 @@ TEST(SafetyControl, RobotStandsForEveryMalformedCloud) {
 
 TEST(SafetyControl, UnreadableCloudKeepsTheCameraFromCountingAsSilent) {
   SafetyControl control{Settings{}};
-  control.decide(Unreadable{"no field x"}, 5.0);
-  EXPECT_EQ(control.without_cloud(5.4).cause, Cause::Unreadable);
+  decide(control, Unreadable{"no field x"}, 5.0);
+  EXPECT_EQ(quiet(control, 5.4).cause, Cause::Unreadable);
 }
 
 TEST(SafetyControl, RobotWaitsOutTheHoldBeforeItBelievesABetterZone) {
@@ -118,6 +131,76 @@ TEST(SafetyControl, RobotWaitsOutTheHoldBeforeItBelievesABetterZone) {
   EXPECT_EQ(decide_at(2.0, control, 1.1).speed, 0.0);
   EXPECT_EQ(decide_at(2.0, control, 1.2).speed, 0.2);
   EXPECT_EQ(decide_at(0.4, control, 1.3).speed, 0.0) << "worse at once";
+}
+
+TEST(SafetyControl, RobotStandsForACloudFromThePastOrTheFuture) {
+  const std::vector<Xyz> free = {{0, 0, 3}};
+  SafetyControl control{Settings{}};
+  EXPECT_EQ(control.decide(view_of(free), Origin{8.9}, {10, 10}).cause, Cause::Stale);
+  EXPECT_EQ(control.decide(view_of(free), Origin{11.1}, {10, 10}).cause, Cause::Future);
+  EXPECT_EQ(control.decide(view_of(free), Origin{0.0}, {10, 10}).cause, Cause::Stale);
+  EXPECT_EQ(control.decide(view_of(free), Origin{nan}, {10, 10}).speed, 0.0);
+  EXPECT_EQ(control.decide(view_of(free), Origin{9.1}, {10, 10}).cause, Cause::Seen);
+}
+
+TEST(SafetyControl, StampsDoNotMatterWhereTheToleranceIsOff) {
+  Settings settings;
+  settings.stamp_tolerance = 0.0;
+  SafetyControl control{settings};
+  const std::vector<Xyz> free = {{0, 0, 3}};
+  EXPECT_EQ(control.decide(view_of(free), Origin{-1e9}, {10, 10}).speed, 0.2);
+}
+
+TEST(SafetyControl, RobotStandsWhenTheClockJumpsBackUntilAFreshCloud) {
+  SafetyControl control{Settings{}};
+  const std::vector<Xyz> free = {{0, 0, 3}};
+  control.decide(view_of(free), Origin{100}, {10, 100});
+  EXPECT_EQ(control.without_cloud({10.1, 5.0}).cause, Cause::ClockJump);
+  EXPECT_EQ(control.without_cloud({10.2, 5.1}).cause, Cause::ClockJump);
+  EXPECT_EQ(control.decide(view_of(free), Origin{100.1}, {10.2, 5.1}).cause, Cause::Future);
+  EXPECT_EQ(control.decide(view_of(free), Origin{5.2}, {10.3, 5.2}).cause, Cause::Seen);
+  EXPECT_EQ(control.without_cloud({10.4, 5.15}).cause, Cause::Seen) << "a clock set right by 50 ms is no jump";
+}
+
+TEST(SafetyControl, RobotStandsWithoutATransform) {
+  SafetyControl control{Settings{}};
+  const std::vector<Xyz> free = {{0, 0, 3}};
+  const Decision decision = control.decide(view_of(free), Origin{1.0, NoTransform{"no base_link"}}, {1, 1});
+  EXPECT_EQ(decision.cause, Cause::NoTransform);
+  EXPECT_EQ(decision.speed, 0.0);
+  EXPECT_EQ(decision.reason, "no base_link");
+}
+
+TEST(SafetyControl, FrozenCameraStopsTheRobotUntilTheContentChanges) {
+  Settings settings;
+  settings.frozen_clouds = 3;
+  SafetyControl control{settings};
+  EXPECT_EQ(decide_at(2.0, control, 1.0).cause, Cause::Seen);
+  EXPECT_EQ(decide_at(2.0, control, 1.1).cause, Cause::Seen);
+  EXPECT_EQ(decide_at(2.0, control, 1.2).cause, Cause::Frozen);
+  EXPECT_EQ(decide_at(2.0, control, 1.3).speed, 0.0);
+  EXPECT_EQ(decide_at(2.001, control, 1.4).cause, Cause::Seen);
+}
+
+TEST(SafetyControl, SameCloudSentAgainIsNoFrozenCamera) {
+  Settings settings;
+  settings.frozen_clouds = 2;
+  SafetyControl control{settings};
+  const std::vector<Xyz> free = {{0, 0, 3}};
+  control.decide(view_of(free), Origin{1.0}, {1, 1});
+  EXPECT_EQ(control.decide(view_of(free), Origin{1.0}, {1.1, 1.1}).cause, Cause::Seen) << "its stamp will give it away";
+}
+
+TEST(SafetyControl, UnfitSettingsAreNotTakenAndTheOldOnesStay) {
+  SafetyControl control{Settings{}};
+  Settings unfit;
+  unfit.limits.danger = 3.0;
+  unfit.speeds.safe = 0.5;
+  EXPECT_THROW(control.take(unfit), std::invalid_argument);
+  EXPECT_EQ(decide_at(2.0, control).speed, 0.2);
+  unfit.limits.danger = 0.5;
+  control.take(unfit);
+  EXPECT_EQ(decide_at(2.0, control).speed, 0.5);
 }
 
 TEST(SafetyControl, UnfitSettingsAreRefusedWithEveryProblem) {

@@ -59,6 +59,18 @@ TEST(Settings, EveryContradictionIsNamed) {
       {"release_time must", [](Settings& s) { s.release.time = -1.0; }},
       {"source_timeout must", [](Settings& s) { s.source_timeout = 0.0; }},
       {"min_valid_ratio must", [](Settings& s) { s.min_valid_ratio = 1.1; }},
+      {"left and right must", [](Settings& s) { s.frame_corridor.left = -s.frame_corridor.right; }},
+      {"bottom must be less", [](Settings& s) { std::swap(s.frame_corridor.bottom, s.frame_corridor.top); }},
+      {"stamp_tolerance must", [](Settings& s) { s.stamp_tolerance = -1.0; }},
+      {"near_loss_distance must", [](Settings& s) { s.near_loss.distance = 2.8; }},
+      {"near_loss_timeout must", [](Settings& s) { s.near_loss.timeout = -1.0; }},
+      {"frozen_clouds must", [](Settings& s) { s.frozen_clouds = 1; }},
+      {"sensor_period must", [](Settings& s) { s.stopping.sensor_period = -1.0; }},
+      {"base_timeout must", [](Settings& s) { s.stopping.base_timeout = -1.0; }},
+      {"base_deceleration must", [](Settings& s) { s.stopping.base_deceleration = 0.0; }},
+      {"with target_frame the corridor is",
+       [](Settings& s) { s.target_frame = "base_footprint", s.corridor.x_max = 0.4f; }},
+      {"need a target_frame", [](Settings& s) { s.frame_corridor.top = 0.6; }},
       {"publish_rate must", [](Settings& s) { s.publish_rate = 0.0; }},
   };
   for (const auto& [sentence, harm] : table) {
@@ -74,6 +86,26 @@ TEST(Settings, AllProblemsAreListedAtOnce) {
   settings.speeds.warning = -1.0;
   settings.publish_rate = -1.0;
   EXPECT_EQ(problems_in(settings).size(), std::size_t{3});
+}
+
+TEST(Settings, CorridorInTheTargetFrameIsGivenByDistancesAndHeights) {
+  Settings settings;
+  settings.target_frame = "base_footprint";
+  settings.frame_corridor = {0.4, 0.3, 0.1, 0.6};
+  const Corridor corridor = corridor_of(settings);
+  EXPECT_EQ(corridor.x_min, -0.4f) << "left";
+  EXPECT_EQ(corridor.x_max, 0.3f) << "right";
+  EXPECT_EQ(corridor.y_min, -0.6f) << "top: y points down";
+  EXPECT_EQ(corridor.y_max, -0.1f) << "bottom";
+}
+
+TEST(Settings, DangerDistanceInWhichTheRobotCannotStopIsDoubted) {
+  EXPECT_TRUE(doubts_about(Settings{}).empty());
+  Settings fast;
+  fast.speeds.safe = 0.5;  // 0.5 x (0.05 + 0.5 + 0.6) + 0.5^2 / 0.72 = 0.92 m
+  ASSERT_EQ(doubts_about(fast).size(), std::size_t{1});
+  EXPECT_TRUE(mentions(doubts_about(fast), "0.922222 m"));
+  EXPECT_TRUE(mentions(doubts_about(fast), "ISO 13855"));
 }
 
 TEST(Settings, MethodsAreFoundByTheirNames) {

@@ -27,7 +27,7 @@ def test_the_yaml_file_names_every_parameter_with_its_default():
 
 def test_the_readme_names_every_parameter_with_its_default():
     rows = re.findall(r"^\| `~(\w+)` \| `([^`]+)` \|", (ROOT / "README.md").read_text(), re.MULTILINE)
-    assert_repeats_the_defaults(dict(rows))
+    assert_repeats_the_defaults({name: yaml.safe_load(value) for name, value in rows})
 
 
 def test_the_stub_names_every_parameter():

@@ -49,21 +49,45 @@ TEST(Messages, DecisionAsItIsMadeSaysStop) { EXPECT_EQ(to_twist(Decision{}).line
 TEST(Messages, StateTellsFreeFromBlind) {
   Decision decision;
   decision.cause = Cause::Seen;
-  EXPECT_TRUE(std::isinf(to_state(decision, {}).nearest));
+  EXPECT_TRUE(std::isinf(to_state(decision, Settings{}, {}).nearest));
   decision.cause = Cause::Blind;
-  EXPECT_TRUE(std::isnan(to_state(decision, {}).nearest));
-  EXPECT_TRUE(std::isnan(to_state(decision, {}).nearest_point.z));
+  EXPECT_TRUE(std::isnan(to_state(decision, Settings{}, {}).nearest));
+  EXPECT_TRUE(std::isnan(to_state(decision, Settings{}, {}).nearest_point.z));
 }
 
 TEST(Messages, StateNumbersAreTheCores) {
   EXPECT_EQ(SafetyState::DANGER, static_cast<int>(Zone::Danger));
   EXPECT_EQ(SafetyState::WARNING, static_cast<int>(Zone::Warning));
   EXPECT_EQ(SafetyState::SAFE, static_cast<int>(Zone::Safe));
-  EXPECT_EQ(SafetyState::SEEN, static_cast<int>(Cause::Seen));
-  EXPECT_EQ(SafetyState::NO_CLOUD, static_cast<int>(Cause::NoCloud));
-  EXPECT_EQ(SafetyState::SILENT, static_cast<int>(Cause::Silent));
-  EXPECT_EQ(SafetyState::UNREADABLE, static_cast<int>(Cause::Unreadable));
-  EXPECT_EQ(SafetyState::BLIND, static_cast<int>(Cause::Blind));
+}
+
+TEST(Messages, EveryCauseBearsTheSameNumberAndNameInTheMessage) {
+  const std::vector<std::pair<int, const char*>> causes = {{SafetyState::SEEN, "SEEN"},
+                                                           {SafetyState::NO_CLOUD, "NO_CLOUD"},
+                                                           {SafetyState::SILENT, "SILENT"},
+                                                           {SafetyState::UNREADABLE, "UNREADABLE"},
+                                                           {SafetyState::BLIND, "BLIND"},
+                                                           {SafetyState::STALE, "STALE"},
+                                                           {SafetyState::FUTURE, "FUTURE"},
+                                                           {SafetyState::CLOCK_JUMP, "CLOCK_JUMP"},
+                                                           {SafetyState::NEAR_LOSS, "NEAR_LOSS"},
+                                                           {SafetyState::FROZEN, "FROZEN"},
+                                                           {SafetyState::NO_TRANSFORM, "NO_TRANSFORM"}};
+  for (const auto& [number, name] : causes) EXPECT_STREQ(name_of(static_cast<Cause>(number)), name);
+  EXPECT_STREQ(name_of(static_cast<Cause>(causes.size())), "UNKNOWN") << "a cause is missing in this table";
+}
+
+TEST(Messages, NearestPointStandsInTheTargetFrameIfThereIsOne) {
+  Settings settings;
+  settings.target_frame = "base_footprint";
+  Decision decision;
+  decision.cause = Cause::Seen;
+  decision.nearest = Obstacle{Point(0.1f, -0.3f, 0.8f)};  // right, down, forward
+  const SafetyState state = to_state(decision, settings, message_of(1).header);
+  EXPECT_EQ(state.nearest_frame, "base_footprint");
+  EXPECT_FLOAT_EQ(static_cast<float>(state.nearest_point.x), 0.8f) << "forward";
+  EXPECT_FLOAT_EQ(static_cast<float>(state.nearest_point.y), -0.1f) << "left";
+  EXPECT_FLOAT_EQ(static_cast<float>(state.nearest_point.z), 0.3f) << "up";
 }
 
 TEST(Messages, OutputKeepsTheStampToTheNanosecondAndTheFrame) {

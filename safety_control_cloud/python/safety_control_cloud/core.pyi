@@ -25,6 +25,12 @@ class Cause:
     SILENT: Cause
     UNREADABLE: Cause
     BLIND: Cause
+    STALE: Cause
+    FUTURE: Cause
+    CLOCK_JUMP: Cause
+    NEAR_LOSS: Cause
+    FROZEN: Cause
+    NO_TRANSFORM: Cause
     name: str
     def __int__(self) -> int: ...
 
@@ -38,6 +44,11 @@ class Settings:
     x_max: float
     y_min: float
     y_max: float
+    target_frame: str
+    left: float
+    right: float
+    bottom: float
+    top: float
     range_min: float
     min_points: int
     warning_distance: float
@@ -47,7 +58,14 @@ class Settings:
     release_clouds: int
     release_time: float
     source_timeout: float
+    stamp_tolerance: float
     min_valid_ratio: float
+    near_loss_distance: float
+    near_loss_timeout: float
+    frozen_clouds: int
+    sensor_period: float
+    base_timeout: float
+    base_deceleration: float
     publish_rate: float
     method: str
     def __init__(self, **parameters: Union[float, int, str]) -> None: ...
@@ -99,6 +117,7 @@ class Sight:
     too_close: int  # points at -Inf that cannot be placed outside the corridor
     returns: int  # points with finite x, y, z and z > range_min
     total: int  # points of the cloud
+    lost: int  # pixels without a return whose last one was near and in the corridor
     @property
     def crop(self) -> Optional[np.ndarray]:
         """The returns in the corridor, (inside, 3) float32 in the cloud's order; None unless asked for."""
@@ -114,14 +133,27 @@ class Decision:
     sight: Sight
 
 class SafetyControl:
-    """Decides one cloud at a time. `now` [s] is any clock that never goes back, the same one in every call."""
+    """Decides one cloud at a time.
+
+    `now` [s] is any clock that never goes back, the same one in every call; `stamp` and `ros_now` [s] are the cloud's
+    stamp and the clock it was stamped by. Left out, they are taken for `now`: the cloud is fresh.
+    """
 
     def __init__(self, settings: Settings = ...) -> None:
         """Raises ValueError with all settings.problems(), if there are any."""
-    def decide(self, cloud: Union[Cloud, np.ndarray], now: float, crop: bool = False) -> Decision:
+    def decide(
+        self,
+        cloud: Union[Cloud, np.ndarray],
+        now: float,
+        crop: bool = False,
+        stamp: Optional[float] = None,
+        ros_now: Optional[float] = None,
+    ) -> Decision:
         """The decision for a cloud that has just arrived; an unreadable one is decided on too (UNREADABLE, 0 m/s)."""
-    def without_cloud(self, now: float) -> Decision:
+    def without_cloud(self, now: float, ros_now: Optional[float] = None) -> Decision:
         """The decision that holds when no cloud arrives: the last one until source_timeout, then SILENT."""
+    def forget_losses(self) -> None:
+        """Forgets the near obstacles that were lost from sight (NEAR_LOSS): somebody has looked."""
 
 def look(cloud: Union[Cloud, np.ndarray], settings: Settings = ..., crop: bool = False) -> Sight:
     """One pass over the bytes. Raises ValueError with the reason if the cloud is unreadable."""

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cause.hpp"
+
+namespace safety_control_cloud {
+
+const char* name_of(Cause cause) {
+  switch (cause) {
+    case Cause::Seen:
+      return "SEEN";
+    case Cause::NoCloud:
+      return "NO_CLOUD";
+    case Cause::Silent:
+      return "SILENT";
+    case Cause::Unreadable:
+      return "UNREADABLE";
+    case Cause::Blind:
+      return "BLIND";
+    case Cause::Stale:
+      return "STALE";
+    case Cause::Future:
+      return "FUTURE";
+    case Cause::ClockJump:
+      return "CLOCK_JUMP";
+    case Cause::NearLoss:
+      return "NEAR_LOSS";
+    case Cause::Frozen:
+      return "FROZEN";
+    case Cause::NoTransform:
+      return "NO_TRANSFORM";
+  }
+  return "UNKNOWN";
+}
+
+}  // namespace safety_control_cloud

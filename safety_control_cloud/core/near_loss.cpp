@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "near_loss.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "point_reader.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+/// Lost pixels in this share of the cloud, and more of them than still return near, are an obstacle, not its edge.
+constexpr std::size_t obstacle_share = 1000;
+/// A return this little beside the ray of a kept point lies behind it: tan of about 1 degree.
+constexpr float behind_slope = 0.02f;
+/// An obstacle that is seen this little farther than before has moved away, not vanished [m].
+constexpr double retreat = 0.1;
+
+bool is_lost(std::uint16_t pixel) { return PixelMemory::is_near(pixel); }  // near, and without the flag `now`
+
+std::uint16_t plus(std::uint16_t count, bool one) { return static_cast<std::uint16_t>(count + one); }
+
+}  // namespace
+
+void NearLoss::limit(const NearLossLimits& limits) {
+  if (limits.distance != limits_.distance) forget();
+  limits_ = limits;
+}
+
+void NearLoss::forget() { *this = NearLoss(limits_); }
+
+PixelMemory* NearLoss::memory_for(const CloudView& cloud) {
+  if (limits_.distance <= 0.0 || cloud.height < 2) return nullptr;
+  if (cloud.width != memory_.width || cloud.height != memory_.height) {
+    // What was near is still there whatever the resolution: every pixel of the new one has to see past it.
+    std::uint16_t nearest = PixelMemory::nothing;
+    for (const std::uint16_t pixel : memory_.pixels) nearest = std::min(nearest, PixelMemory::code_of(pixel));
+    memory_.pixels.assign(cloud.size(), PixelMemory::is_near(nearest) ? nearest : PixelMemory::nothing);
+    memory_.width = cloud.width;
+    memory_.height = cloud.height;
+    columns_.assign(cloud.width, Column{});
+    floor_ = FloorStrip{};
+  }
+  memory_.distance = static_cast<float>(limits_.distance);
+  return &memory_;
+}
+
+std::optional<Loss> NearLoss::judge(const CloudView& cloud, const Sight& sight, const Corridor& corridor,
+                                    const Gaze& gaze, double now) {
+  if (limits_.distance <= 0.0) return std::nullopt;
+  const auto loss = gaze.memory ? judge_pixels(sight) : judge_nearest(cloud, sight, corridor, gaze);
+  if (!loss) {
+    lost_since_.reset();
+    return std::nullopt;
+  }
+  if (!lost_since_) lost_since_ = now;
+  if (limits_.timeout > 0.0 && now - *lost_since_ >= limits_.timeout) {
+    forget();
+    return std::nullopt;
+  }
+  return loss;
+}
+
+std::optional<Loss> NearLoss::judge_pixels(const Sight& sight) {
+  floor_.survey(memory_);
+  if (floor_.is_covered()) {
+    return Loss{std::nullopt, true, "the near floor is hidden by something nearer than the camera can see"};
+  }
+  const bool something_near = sight.nearest && sight.nearest->distance() < limits_.distance;
+  if (sight.lost == 0 && !something_near) return std::nullopt;
+  count_columns();
+  release_columns_with_floor();
+  return lost_obstacle(sight);
+}
+
+void NearLoss::count_columns() {
+  for (Column& column : columns_) column = Column{0, 0, column.hid_floor};
+  for (std::size_t row = 0; row < memory_.height; ++row) {
+    const std::uint16_t* pixel = memory_.row(row);
+    for (Column& column : columns_) {
+      column.near_now =
+          plus(column.near_now, PixelMemory::is_now(*pixel) && PixelMemory::is_near(PixelMemory::code_of(*pixel)));
+      column.near_lost = plus(column.near_lost, is_lost(*pixel));
+      ++pixel;
+    }
+  }
+}
+
+void NearLoss::release_columns_with_floor() {
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    Column& column = columns_[i];
+    const auto [shown, hidden, blank] = floor_.columns()[i];
+    if (column.near_now > 0) column.hid_floor = hidden > 0 && 4 * hidden >= shown + hidden;
+    const bool floor_again = column.near_now == 0 && shown > 0 && 8 * hidden <= shown;
+    if (!column.hid_floor || !floor_again) continue;
+    for (std::size_t row = 0; row < memory_.height; ++row) {
+      std::uint16_t& pixel = memory_.row(row)[i];
+      if (is_lost(pixel)) pixel = PixelMemory::elsewhere;
+    }
+    column = Column{};
+  }
+}
+
+std::optional<Loss> NearLoss::lost_obstacle(const Sight& sight) const {
+  std::size_t lost = 0, near_now = 0;
+  for (const Column& column : columns_) {
+    lost += column.near_lost;
+    near_now += column.near_now;
+  }
+  if (lost == 0) return std::nullopt;
+
+  std::uint16_t nearest = PixelMemory::nothing;
+  for (std::size_t row = 1; row < memory_.height; ++row) {
+    const std::uint16_t *above = memory_.row(row - 1), *below = memory_.row(row);
+    for (std::size_t i = 1; i < memory_.width; ++i) {
+      const auto block = {above[i - 1], above[i], below[i - 1], below[i]};
+      if (is_lost(std::max(block))) nearest = std::min(nearest, std::min(block));
+    }
+  }
+  if (nearest == PixelMemory::nothing) return std::nullopt;
+  const bool whole = lost > near_now && lost * obstacle_share >= sight.total;
+  return Loss{PixelMemory::distance_of_near(nearest), whole,
+              "an obstacle has stopped returning and nothing is seen behind it"};
+}
+
+std::optional<Loss> NearLoss::judge_nearest(const CloudView& cloud, const Sight& sight, const Corridor& corridor,
+                                            const Gaze& gaze) {
+  if (sight.nearest && sight.nearest->distance() < limits_.distance) {
+    nearest_ = sight.nearest;
+    return std::nullopt;
+  }
+  if (!nearest_) return std::nullopt;
+  const Point kept = nearest_->point;
+  bool gone = sight.nearest && sight.nearest->distance() < nearest_->distance() + retreat;
+  for_each_point(cloud, [&](float x, float y, float z) {
+    if (gone || !is_return(x, y, z, corridor)) return;
+    const Point point = placed(x, y, z, gaze);
+    const float scale = point.z / kept.z, beside = behind_slope * point.z;
+    gone =
+        point.z > kept.z && std::abs(point.x - kept.x * scale) < beside && std::abs(point.y - kept.y * scale) < beside;
+  });
+  if (gone) {
+    nearest_.reset();
+    return std::nullopt;
+  }
+  return Loss{nearest_->distance(), true, "the nearest obstacle has stopped returning and nothing is seen behind it"};
+}
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "corridor.hpp"
+#include "floor_strip.hpp"
+
+namespace safety_control_cloud {
+
+struct NearLossLimits {
+  double distance = 0.75;  ///< [m] an obstacle seen nearer than this is kept when it stops returning; 0 = off
+  double timeout = 0.0;    ///< [s] after which it is forgotten all the same; 0 = never
+};
+
+/// Something near that has stopped returning.
+struct Loss {
+  std::optional<double> distance;  ///< [m] of its last return; none if only the floor before it was ever seen
+  bool whole = false;              ///< it has gone where the camera cannot see; not a few pixels at its edge
+  std::string reason;
+};
+
+/// Remembers what came near, because a depth camera is blind right before itself (an Xtion nearer than 0.4 m): an
+/// obstacle that enters this zone looks like free space far away.
+///
+/// When a loss is believed and when it is forgiven, safe first and available second:
+/// - A pixel that last returned near and returns nothing now still has its obstacle before it; only a return from the
+///   same pixel says that it has gone. One noisy pixel is no obstacle: losses count in blocks of 2 x 2.
+/// - A hall deeper than the camera's range returns nothing even when free, so somebody who walked past would stop the
+///   robot for ever. But who stands on the floor also hides the near floor at the foot of the pixel column; when that
+///   floor is seen again, the column is free. A board that hangs never hid the floor, so the floor says nothing of it.
+/// - Near floor that goes blank over the width of a post is hidden by something too near to return.
+class NearLoss {
+ public:
+  explicit NearLoss(const NearLossLimits& limits) : limits_(limits) {}
+
+  void limit(const NearLossLimits& limits);
+  void forget();
+
+  /// The memory to hand to look() for this cloud; nullptr if it is not organised or the memory is off.
+  PixelMemory* memory_for(const CloudView& cloud);
+
+  /// What of the near obstacles is lost in this cloud, which look() has just seen. `now` [s], steady.
+  std::optional<Loss> judge(const CloudView& cloud, const Sight& sight, const Corridor& corridor, const Gaze& gaze,
+                            double now);
+
+ private:
+  std::optional<Loss> judge_pixels(const Sight& sight);
+  std::optional<Loss> judge_nearest(const CloudView& cloud, const Sight& sight, const Corridor& corridor,
+                                    const Gaze& gaze);
+  void count_columns();
+  void release_columns_with_floor();
+  std::optional<Loss> lost_obstacle(const Sight& sight) const;
+
+  /// Near pixels of one pixel column.
+  struct Column {
+    std::uint16_t near_now = 0;
+    std::uint16_t near_lost = 0;
+    bool hid_floor = false;  ///< what was last seen near in it stood on the floor
+  };
+
+  NearLossLimits limits_;
+  PixelMemory memory_;
+  FloorStrip floor_;
+  std::vector<Column> columns_;
+  std::optional<Obstacle> nearest_;  ///< of a cloud that is not organised
+  std::optional<double> lost_since_;
+};
+
+}  // namespace safety_control_cloud

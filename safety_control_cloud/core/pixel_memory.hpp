@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace safety_control_cloud {
+
+/// What every pixel of an organised cloud returned last, in 16 bits so that a VGA image of it stays in the L2 cache.
+/// The low 15 bits are a code; the top bit is set if the pixel returned in the latest cloud.
+///
+///   [0, ground_zero)        a near return in the corridor, its distance in 0.1 mm, rounded down
+///   [ground_zero, elsewhere)  a near return from below the corridor, its distance in 1 mm, rounded down
+///   elsewhere               a return from farther away or from beside the corridor
+///   nothing                 no return yet
+struct PixelMemory {
+  static constexpr std::uint16_t now = 0x8000;
+  static constexpr std::uint16_t nothing = 0x7FFF;
+  static constexpr std::uint16_t elsewhere = 0x7FFE;
+  static constexpr std::uint16_t ground_zero = 30000;
+  static constexpr float near_per_metre = 10000.0f;
+  static constexpr float ground_per_metre = 1000.0f;
+  static constexpr double farthest = 2.7;  ///< [m] a greater `distance` would not fit into the codes
+
+  float distance = 0.0f;  ///< [m] a return nearer than this is near
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::vector<std::uint16_t> pixels;  ///< row by row
+
+  static std::uint16_t near_code(float z) { return static_cast<std::uint16_t>(z * near_per_metre); }
+  static std::uint16_t ground_code(float z) {
+    return static_cast<std::uint16_t>(ground_zero + static_cast<std::uint16_t>(z * ground_per_metre));
+  }
+  static double distance_of_near(std::uint16_t code) { return code / double{near_per_metre}; }
+
+  static bool is_now(std::uint16_t pixel) { return (pixel & now) != 0; }
+  static std::uint16_t code_of(std::uint16_t pixel) { return static_cast<std::uint16_t>(pixel & ~now); }
+  static bool is_near(std::uint16_t code) { return code < ground_zero; }
+  static bool is_ground(std::uint16_t code) { return code >= ground_zero && code < elsewhere; }
+
+  const std::uint16_t* row(std::size_t i) const { return pixels.data() + i * width; }
+  std::uint16_t* row(std::size_t i) { return pixels.data() + i * width; }
+};
+
+}  // namespace safety_control_cloud

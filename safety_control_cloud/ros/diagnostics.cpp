@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "diagnostics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr std::size_t kept_durations = 300;  // ten seconds of a 30 Hz camera
+constexpr std::uint32_t largest_gap = 1000;  // a greater one is another publisher, not dropped clouds
+constexpr double milliseconds = 1000.0;
+
+std::uint8_t level_of(const Decision& decision) {
+  using diagnostic_msgs::DiagnosticStatus;
+  if (decision.cause != Cause::Seen) return DiagnosticStatus::ERROR;
+  return decision.zone == Zone::Safe ? DiagnosticStatus::OK : DiagnosticStatus::WARN;
+}
+
+double share_of_returns(const Sight& sight) {
+  return sight.total == 0 ? 0.0 : static_cast<double>(sight.returns) / static_cast<double>(sight.total);
+}
+
+}  // namespace
+
+void Durations::add(double seconds) {
+  latest_.push_back(seconds);
+  if (latest_.size() > kept_durations) latest_.pop_front();
+}
+
+double Durations::quantile(double share) const {
+  if (latest_.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> sorted(latest_.begin(), latest_.end());
+  const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
+  std::nth_element(sorted.begin(), sorted.begin() + rank, sorted.end());
+  return sorted[static_cast<std::size_t>(rank)];
+}
+
+Diagnostics::Diagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
+    : updater_(handle, private_handle) {
+  updater_.setHardwareID("depth camera");
+  updater_.add("safety", this, &Diagnostics::report);
+}
+
+void Diagnostics::on_cloud(const Decision& decision, const std_msgs::Header& cloud, double decision_time,
+                           double latency) {
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  if (last_arrival_) periods_.add((now - *last_arrival_).toSec());
+  last_arrival_ = now;
+  const std::uint32_t gap = last_seq_ ? cloud.seq - *last_seq_ - 1 : 0;
+  if (gap <= largest_gap) dropped_ += gap;
+  last_seq_ = cloud.seq;
+  decision_times_.add(decision_time);
+  latencies_.add(latency);
+  decision_ = decision;
+  updater_.update();
+}
+
+void Diagnostics::on_quiet(const Decision& decision) {
+  decision_ = decision;
+  updater_.update();
+}
+
+void Diagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  status.summary(level_of(decision_), std::string(name_of(decision_.zone)) + ": " + decision_.reason);
+  status.add("zone", name_of(decision_.zone));
+  status.add("cause", name_of(decision_.cause));
+  status.add("speed [m/s]", decision_.speed);
+  status.add("nearest [m]", decision_.nearest ? decision_.nearest->distance() : std::nan(""));
+  status.add("share of returns", share_of_returns(decision_.sight));
+  status.add("input rate [Hz]", 1.0 / periods_.quantile(0.5));
+  status.add("age of the last cloud [s]",
+             last_arrival_ ? (ros::SteadyTime::now() - *last_arrival_).toSec() : std::nan(""));
+  status.add("clouds dropped", dropped_);
+  status.add("decision time p50 [ms]", decision_times_.quantile(0.5) * milliseconds);
+  status.add("decision time p99 [ms]", decision_times_.quantile(0.99) * milliseconds);
+  status.add("publish to decision p50 [ms]", latencies_.quantile(0.5) * milliseconds);
+  status.add("publish to decision p99 [ms]", latencies_.quantile(0.99) * milliseconds);
+}
+
+}  // namespace safety_control_cloud

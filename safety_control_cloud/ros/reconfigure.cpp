@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reconfigure.hpp"
+
+#include <dynamic_reconfigure/config_tools.h>
+#include <ros/console.h>
+
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace safety_control_cloud {
+namespace {
+
+using dynamic_reconfigure::ConfigTools;
+
+/// The candidate's numbers over the settings in force. Throws std::invalid_argument for a count below zero.
+Settings settings_with(const Settings& in_force, const SafetyControlConfig& candidate) {
+  dynamic_reconfigure::Config numbers;
+  candidate.__toMessage__(numbers);
+  Settings settings = in_force;
+  for_each_parameter(settings, [&](const std::string& name, auto& setting) {
+    using Value = std::decay_t<decltype(setting)>;
+    if constexpr (std::is_floating_point_v<Value>) {
+      double value = 0.0;
+      if (ConfigTools::getParameter(numbers, name, value)) setting = static_cast<Value>(value);
+    } else if constexpr (std::is_same_v<Value, std::size_t>) {
+      int value = 0;
+      if (!ConfigTools::getParameter(numbers, name, value)) return;
+      if (value < 0) throw std::invalid_argument(name + " must not be negative");
+      setting = static_cast<std::size_t>(value);
+    }
+  });
+  return settings;
+}
+
+/// Shows the settings in force in the config that goes back to the caller.
+void show(const Settings& settings, SafetyControlConfig& config) {
+  dynamic_reconfigure::Config numbers;
+  config.__toMessage__(numbers);
+  for_each_parameter(settings, [&](const std::string& name, const auto& setting) {
+    using Value = std::decay_t<decltype(setting)>;
+    if constexpr (std::is_floating_point_v<Value>) {
+      for (auto& number : numbers.doubles) {
+        if (number.name == name) number.value = setting;
+      }
+    } else if constexpr (std::is_same_v<Value, std::size_t>) {
+      for (auto& number : numbers.ints) {
+        if (number.name == name) number.value = static_cast<int>(setting);
+      }
+    }
+  });
+  config.__fromMessage__(numbers);
+}
+
+}  // namespace
+
+Reconfigure::Reconfigure(const ros::NodeHandle& private_handle, SafetyControl& control)
+    : control_(control), server_(private_handle) {
+  server_.setCallback([this](SafetyControlConfig& candidate, std::uint32_t) { on_candidate(candidate); });
+}
+
+void Reconfigure::on_candidate(SafetyControlConfig& candidate) {
+  try {
+    control_.take(settings_with(control_.settings(), candidate));
+    candidate.refusal.clear();
+  } catch (const std::invalid_argument& problems) {
+    show(control_.settings(), candidate);
+    candidate.refusal = problems.what();
+    ROS_ERROR("refused to reconfigure: %s", problems.what());
+  }
+}
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <dynamic_reconfigure/server.h>
+#include <ros/node_handle.h>
+#include <safety_control_cloud/SafetyControlConfig.h>
+
+#include "../core/safety_control.hpp"
+
+namespace safety_control_cloud {
+
+/// The numbers of the settings, live over dynamic_reconfigure. A candidate is checked as a whole and taken whole or not
+/// at all; if not, the caller gets the settings that stay in force, and the reasons in `refusal`.
+class Reconfigure {
+ public:
+  Reconfigure(const ros::NodeHandle& private_handle, SafetyControl& control);
+
+ private:
+  void on_candidate(SafetyControlConfig& candidate);
+
+  SafetyControl& control_;
+  dynamic_reconfigure::Server<SafetyControlConfig> server_;
+};
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "cloud_builder.hpp"
+
+namespace safety_control_cloud {
+
+/// An upright board that faces the camera, in the optical frame [m].
+struct Board {
+  float z, x_min, x_max, y_min, y_max;
+};
+
+constexpr float floor_y = 0.2972f;  ///< [m] of the floor below the Xtion on a TurtleBot
+
+inline Board post(float z, float x, float width = 0.05f) { return {z, x - width / 2, x + width / 2, -1.0f, floor_y}; }
+
+/// What an Xtion on a TurtleBot sees of a hall deeper than its range: 160x120, 60 degrees wide, nothing at or below
+/// 0.4 m and at or beyond 5.0 m, and a floor.
+class Scene {
+ public:
+  static constexpr std::size_t width = 160, height = 120;
+
+  explicit Scene(std::vector<Board> boards = {}) : points_(width * height) {
+    for (std::size_t row = 0; row < height; ++row) {
+      for (std::size_t column = 0; column < width; ++column) {
+        points_[row * width + column] =
+            seen_along((static_cast<float>(column) - 79.5f) / focal, (static_cast<float>(row) - 59.5f) / focal, boards);
+      }
+    }
+  }
+
+  void set(std::size_t row, std::size_t column, float z) { points_[row * width + column] = {0.0f, 0.0f, z}; }
+
+  CloudView view() const {
+    CloudView view = view_of(points_);
+    view.width = width;
+    view.height = height;
+    view.row_step = width * sizeof(Xyz);
+    return view;
+  }
+
+ private:
+  static constexpr float focal = 138.56f;  // [pixel]
+
+  static Xyz seen_along(float x, float y, const std::vector<Board>& boards) {
+    float z = y > 0.0f ? floor_y / y : inf;
+    for (const Board& board : boards) {
+      const bool hit = x * board.z >= board.x_min && x * board.z <= board.x_max && y * board.z >= board.y_min &&
+                       y * board.z <= board.y_max;
+      if (hit) z = std::min(z, board.z);
+    }
+    if (z <= 0.4f || z >= 5.0f) return {nan, nan, nan};
+    return {x * z, y * z, z};
+  }
+
+  std::vector<Xyz> points_;
+};
+
+}  // namespace safety_control_cloud
