@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The real node, asked about one cloud at a time: none is dropped, and no answer depends on how fast this machine is."""
+from __future__ import annotations
+
+import math
+import queue
+import re
+import struct
+import time
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Dict, Iterator, Mapping, Optional, Tuple
+
+import rospy
+from sensor_msgs.msg import PointCloud2
+
+from safety_control_cloud import core
+from safety_control_cloud.msg import SafetyState
+from safety_control_cloud.replay.bags import RecordedCloud
+from safety_control_cloud.ros_session import Process, node, roscore
+
+ANSWER_TIMEOUT = 30.0  # [s]
+REFUSAL = "cannot start with these parameters"  # as the node says it
+
+
+class NoAnswer(RuntimeError):
+    """The node ended, or was silent about a cloud."""
+
+
+class BadParameters(ValueError):
+    """The node refused to start. str() is its list of problems."""
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What the node made of one cloud: its ~state, with the cloud's own stamp."""
+
+    stamp: int  # [ns]
+    zone: str
+    cause: str
+    reason: str
+    nearest: Optional[float]  # [m]; None: nothing there if the cause is SEEN, else could not look
+    nearest_point: Optional[Tuple[float, float, float]]  # [m] in the cloud's frame
+    inside: int
+    returns: int
+    total: int
+    speed: float  # [m/s]
+
+
+class RawCloud(rospy.AnyMsg):
+    """A PointCloud2 that is published as the bytes it was recorded in; rospy would write a new `seq` into it."""
+
+    _md5sum, _type, _full_text = PointCloud2._md5sum, PointCloud2._type, PointCloud2._full_text
+
+    def __init__(self, message: bytes) -> None:
+        super().__init__()
+        self._buff = message
+
+
+def parameters_for_replay(chosen: Mapping[str, str]) -> Dict[str, str]:
+    """The node's private parameters: a recording is old and has no clock, so silence and age are not judged.
+
+    What the caller has chosen goes before.
+    """
+    timeless = {"source_timeout": "1e6", "stamp_tolerance": "0.0", "publish_rate": "1.0"}
+    known = core.Settings().as_dict()
+    return {**{name: value for name, value in timeless.items() if name in known}, **chosen}
+
+
+@contextmanager
+def safety_node(parameters: Mapping[str, str]) -> Iterator["Lockstep"]:
+    """Starts a master and the node, and ends both. Once per process, as rospy.init_node().
+
+    Raises BadParameters, or ros_session.SessionError if either cannot be started.
+    """
+    arguments = [f"_{name}:={value}" for name, value in parameters_for_replay(parameters).items()]
+    with roscore(), node("safety_control_node", *arguments) as process:
+        rospy.init_node("safety_control_replay", anonymous=True, disable_signals=True, disable_rosout=True)
+        try:
+            yield Lockstep(process)
+        finally:
+            rospy.signal_shutdown("replayed")
+
+
+class Lockstep:
+    """Hands clouds to the node, each after the answer to the one before."""
+
+    def __init__(self, process: Process) -> None:
+        self._process = process
+        self._states: "queue.Queue[SafetyState]" = queue.Queue()
+        rospy.Subscriber("safety_control_cloud/state", SafetyState, self._states.put, tcp_nodelay=True)
+        self._clouds = rospy.Publisher("camera/depth/points", RawCloud, queue_size=1)
+        self._sent = 0  # [ns] stamp of the last cloud; before the first, the node's states have an empty header
+        self._state_of(self._sent, "its start")
+        while self._clouds.get_num_connections() == 0:
+            self._state_of(self._sent, "its start")  # it repeats its state, so this waits and watches over the node
+
+    def answer_to(self, cloud: RecordedCloud) -> Answer:
+        """Raises NoAnswer."""
+        # The node repeats its last state when it waits long for a cloud. So that a repetition is not taken for the
+        # answer, two clouds in a row never have the same stamp: the second's last bit is turned (1 ns).
+        self._sent = cloud.stamp ^ 1 if cloud.stamp == self._sent else cloud.stamp
+        self._clouds.publish(RawCloud(_stamped(cloud, self._sent)))
+        return _answer(cloud, self._state_of(self._sent, f"the cloud of {cloud.stamp / 1e9:.3f} s"))
+
+    def _state_of(self, stamp: int, asked: str) -> SafetyState:
+        deadline = time.monotonic() + ANSWER_TIMEOUT
+        while time.monotonic() < deadline:
+            try:
+                state = self._states.get(timeout=0.1)
+            except queue.Empty:
+                self._check_alive(asked)
+                continue
+            if state.header.stamp.to_nsec() == stamp:
+                return state
+        raise NoAnswer(f"the node gave no answer to {asked} within {ANSWER_TIMEOUT:g} s\n{self._said()}")
+
+    def _check_alive(self, asked: str) -> None:
+        if self._process.exit_code is None:
+            return
+        _, refusal, problems = self._said().partition(REFUSAL)
+        if refusal:
+            raise BadParameters((refusal + problems).strip())
+        raise NoAnswer(f"the node ended with exit code {self._process.exit_code} at {asked}\n{self._said()}")
+
+    def _said(self) -> str:
+        return re.sub("\x1b\\[[0-9;]*m", "", self._process.output())
+
+
+def _stamped(cloud: RecordedCloud, stamp: int) -> bytes:
+    if stamp == cloud.stamp:
+        return cloud.message
+    message = bytearray(cloud.message)
+    struct.pack_into("<I", message, 8, struct.unpack_from("<I", message, 8)[0] ^ 1)
+    return bytes(message)
+
+
+def _answer(cloud: RecordedCloud, state: SafetyState) -> Answer:
+    point = (state.nearest_point.x, state.nearest_point.y, state.nearest_point.z)
+    known = math.isfinite(state.nearest)
+    return Answer(
+        cloud.stamp, state.zone_text, state.cause_text, state.reason, state.nearest if known else None,
+        point if known else None, state.inside, state.returns, state.total, state.speed)

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Distance over time, with the zones as bands, and the speed below."""
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Dict, List, Sequence, Tuple
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+from matplotlib.axes import Axes
+
+from safety_control_cloud import core
+from safety_control_cloud.replay.lockstep import Answer
+
+COLOURS = {"Safe": "#2e9e5b", "Warning": "#e8a317", "Danger": "#d64545"}
+INK, QUIET = "#22303c", "#8795a1"
+STYLE = {
+    "font.family": "DejaVu Sans", "font.size": 10, "text.color": INK, "axes.edgecolor": QUIET, "axes.labelcolor": INK,
+    "xtick.color": INK, "ytick.color": INK, "axes.spines.top": False, "axes.spines.right": False,
+}
+
+
+def write_plot(answers: Sequence[Answer], path: Path, title: str, limits: core.Settings) -> None:
+    """A picture in the format of the path's ending; limits are those the node decided by."""
+    with plt.rc_context(STYLE):
+        figure, (above, below) = plt.subplots(
+            2, 1, sharex=True, figsize=(10, 5.6), height_ratios=(3, 1), layout="constrained")
+        times, label = _times(answers)
+        _draw_distance(above, times, answers, limits)
+        _draw_speed(below, times, answers, limits)
+        above.set_title(title, loc="left", fontsize=12, fontweight="bold", pad=12)
+        below.set_xlabel(label)
+        below.set_xlim(*_padded(times))
+        figure.get_layout_engine().set(w_pad=0.12, h_pad=0.1)
+        figure.savefig(path, dpi=150)
+        plt.close(figure)
+
+
+def _draw_distance(axes: Axes, times: List[float], answers: Sequence[Answer], limits: core.Settings) -> None:
+    known = [answer.nearest for answer in answers if answer.nearest is not None]
+    top = 1.08 * max([1.5 * limits.warning_distance, *known])
+    bands = {"Danger": (0.0, limits.danger_distance), "Warning": (limits.danger_distance, limits.warning_distance),
+             "Safe": (limits.warning_distance, top)}
+    for zone, (low, high) in bands.items():
+        axes.axhspan(low, high, color=COLOURS[zone], alpha=0.14, lw=0)
+        axes.text(1.008, (low + high) / 2, zone, transform=axes.get_yaxis_transform(), va="center",
+                  color=COLOURS[zone], fontweight="bold")
+    distances = [math.nan if answer.nearest is None else answer.nearest for answer in answers]
+    axes.plot(times, distances, color=INK, lw=1.4, zorder=3)
+    axes.scatter(times, distances, s=_size(answers), c=[COLOURS.get(answer.zone, QUIET) for answer in answers],
+                 edgecolors="white", linewidths=0.6, zorder=4)
+    _mark(axes, times, answers, top)
+    axes.set_ylim(0.0, top)
+    axes.set_ylabel("nearest obstacle [m]")
+
+
+def _mark(axes: Axes, times: List[float], answers: Sequence[Answer], top: float) -> None:
+    """Clouds without a distance: free at the upper edge, those that could not be looked at on the ground."""
+    free = [time for time, answer in zip(times, answers) if answer.nearest is None and answer.cause == "SEEN"]
+    lost = [time for time, answer in zip(times, answers) if answer.cause != "SEEN"]
+    if free:
+        axes.scatter(free, [0.97 * top] * len(free), marker="^", s=28, color=COLOURS["Safe"], zorder=4,
+                     label="corridor is free")
+    if lost:
+        causes = ", ".join(sorted({answer.cause for answer in answers if answer.cause != "SEEN"}))
+        axes.scatter(lost, [0.03 * top] * len(lost), marker="X", s=36, color=COLOURS["Danger"], zorder=4,
+                     label=f"cannot see: {causes}")
+    if free or lost:
+        axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=2, frameon=False, borderaxespad=0.2)
+
+
+def _draw_speed(axes: Axes, times: List[float], answers: Sequence[Answer], limits: core.Settings) -> None:
+    speeds = [answer.speed for answer in answers]
+    end = _padded(times)[1]  # the last speed holds on
+    axes.step([*times, end], [*speeds, speeds[-1]], where="post", color=INK, lw=1.4)
+    axes.fill_between([*times, end], [*speeds, speeds[-1]], step="post", color=INK, alpha=0.12, lw=0)
+    top = max([limits.safe_speed, *speeds, 0.01])
+    axes.set_ylim(-0.05 * top, 1.15 * top)  # so that a standing robot shows as a line
+    axes.set_yticks(sorted({0.0, limits.warning_speed, limits.safe_speed}))
+    axes.grid(axis="y", color=QUIET, alpha=0.3, lw=0.6)
+    axes.set_ylabel("speed [m/s]")
+
+
+def _times(answers: Sequence[Answer]) -> Tuple[List[float], str]:
+    """Seconds since the first stamp, or the number of the cloud where stamps do not advance."""
+    stamps = [answer.stamp for answer in answers]
+    if all(earlier < later for earlier, later in zip(stamps, stamps[1:])):
+        return [(stamp - stamps[0]) / 1e9 for stamp in stamps], f"time [s] since {stamps[0] / 1e9:.3f}"
+    return [float(number) for number in range(len(stamps))], "cloud (the stamps do not advance)"
+
+
+def _padded(times: List[float]) -> Tuple[float, float]:
+    pad = 0.03 * (times[-1] - times[0]) or 0.5
+    return times[0] - pad, times[-1] + pad
+
+
+def _size(answers: Sequence[Answer]) -> float:
+    return 46.0 if len(answers) < 100 else 14.0
