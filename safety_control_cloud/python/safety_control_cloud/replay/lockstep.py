@@ -62,7 +62,7 @@ def parameters_for_replay(chosen: Mapping[str, str]) -> Dict[str, str]:
 
     What the caller has chosen goes before.
     """
-    timeless = {"source_timeout": "1e6", "stamp_tolerance": "0.0", "publish_rate": "1.0"}
+    timeless = {"source_timeout": "1e6", "stamp_tolerance": "0.0"}
     known = core.Settings().as_dict()
     return {**{name: value for name, value in timeless.items() if name in known}, **chosen}
 
