@@ -18,7 +18,7 @@ import rospy
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from recordings import TOPIC, MadeCloud, write_ros1
 
-from safety_control_cloud.ros_session import Process, process
+from safety_control_cloud.processes import Process, process
 
 PATIENCE = 20.0  # [s] until something that should come about counts as missing
 

@@ -1,101 +1,33 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Processes that end: a ROS master of one's own on a free port, and nodes on it.
+"""A ROS master of one's own on a free port, and nodes on it.
 
     with roscore(), node("safety_control_node", "_method:=pcl") as process:
         ...  # this process and its children talk to that master, and to no other
-
-Whatever ends the block (an error, Ctrl-C) ends the processes too. SIGTERM runs no `finally` in Python unless it is
-made an exception: a script that starts processes calls end_on_sigterm() first.
 """
 from __future__ import annotations
 
 import os
-import signal
 import socket
-import subprocess
-import sys
 import tempfile
 import time
 import xmlrpc.client
 from contextlib import contextmanager
-from typing import IO, Iterator, Optional, Sequence
+from typing import Iterator, Mapping, Optional
+
+import roslib.packages
+import rospkg
+
+from safety_control_cloud.processes import Process, ProcessError, process
 
 PACKAGE = "safety_control_cloud"
-START_TIMEOUT = 20.0  # [s] until a process that says nothing counts as failed; a busy machine is slow, not broken
-SIGNALS = ((signal.SIGINT, 5.0), (signal.SIGTERM, 2.0), (signal.SIGKILL, 5.0))  # how to end one, and the patience [s]
-
-
-class SessionError(RuntimeError):
-    """A process could not be started, or ended when it should not have."""
-
-
-class Process:
-    """A running command, in a process group of its own so that Ctrl-C reaches it only through end()."""
-
-    def __init__(self, command: Sequence[str]) -> None:
-        """Raises SessionError if there is no such command."""
-        self.command = tuple(command)
-        self._output: IO[bytes] = tempfile.TemporaryFile()
-        try:
-            self._popen = subprocess.Popen(
-                self.command, stdin=subprocess.DEVNULL, stdout=self._output, stderr=subprocess.STDOUT,
-                start_new_session=True)
-        except OSError as error:
-            raise SessionError(f"cannot start {self.command[0]}: {error.strerror}") from error
-
-    @property
-    def pid(self) -> int:
-        return self._popen.pid
-
-    @property
-    def exit_code(self) -> Optional[int]:
-        """None while it runs; -N if signal N ended it."""
-        return self._popen.poll()
-
-    def output(self) -> str:
-        """What it has written so far, stdout and stderr in the order of writing."""
-        size = os.fstat(self._output.fileno()).st_size
-        return os.pread(self._output.fileno(), size, 0).decode(errors="replace")
-
-    def wait(self, timeout: float) -> int:
-        """The exit code. Raises subprocess.TimeoutExpired if it still runs after so many seconds."""
-        return self._popen.wait(timeout)
-
-    def send(self, number: signal.Signals) -> None:
-        """Sends a signal to the process and to whatever it has started."""
-        try:
-            os.killpg(self.pid, number)
-        except ProcessLookupError:
-            pass  # it has ended by itself, which is what signals are sent for
-
-    def end(self) -> None:
-        """Ends it, politely first, and with it whatever it has started."""
-        for number, patience in SIGNALS:
-            if self.exit_code is not None:
-                break
-            self.send(number)
-            try:
-                self.wait(patience)
-            except subprocess.TimeoutExpired:
-                continue
-        self.send(signal.SIGKILL)
-
-
-@contextmanager
-def process(command: Sequence[str]) -> Iterator[Process]:
-    """Runs a command for as long as the block lasts."""
-    running = Process(command)
-    try:
-        yield running
-    finally:
-        running.end()
+START_TIMEOUT = 20.0  # [s] until a master that says nothing counts as failed; a busy machine is slow, not broken
 
 
 @contextmanager
 def node(executable: str, *arguments: str, package: str = PACKAGE) -> Iterator[Process]:
     """Runs a node of a package; arguments as for rosrun: `_parameter:=value`, `topic:=other`, `__name:=name`.
 
-    Raises SessionError unless the package has exactly this executable.
+    Raises ProcessError unless the package has exactly this executable.
     """
     with process([executable_of(package, executable), *arguments]) as running:
         yield running
@@ -103,15 +35,12 @@ def node(executable: str, *arguments: str, package: str = PACKAGE) -> Iterator[P
 
 def executable_of(package: str, executable: str) -> str:
     """The path that rosrun would run."""
-    import roslib.packages
-    import rospkg
-
     try:
         found = roslib.packages.find_node(package, executable)
     except rospkg.ResourceNotFound:
         found = []
     if len(found) != 1:
-        raise SessionError(f"{len(found)} executables {executable} in package {package}; is its setup.bash sourced?")
+        raise ProcessError(f"{len(found)} executables {executable} in package {package}; is its setup.bash sourced?")
     return str(found[0])
 
 
@@ -120,7 +49,7 @@ def roscore() -> Iterator[str]:
     """A master (with parameter server) on a free port; gives its URI.
 
     Within the block, os.environ leads this process and its children to it and keeps ROS logs in a folder that is
-    deleted afterwards. Raises SessionError if it does not start.
+    deleted afterwards. Raises ProcessError if it does not start.
     """
     with tempfile.TemporaryDirectory(prefix="ros_session_") as folder:
         with _environment(ROS_HOSTNAME="localhost", ROS_IP=None, ROS_HOME=folder, ROS_LOG_DIR=folder):
@@ -132,12 +61,7 @@ def roscore() -> Iterator[str]:
                         continue  # somebody else took the port meanwhile
                     yield uri
                     return
-            raise SessionError("no ROS master could be started:\n" + master.output())
-
-
-def end_on_sigterm() -> None:
-    """Lets SIGTERM end this process as sys.exit() does, so that every `with` block is left in order."""
-    signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(128 + number))
+            raise ProcessError("no ROS master could be started:\n" + master.output())
 
 
 def _free_port() -> int:
@@ -169,7 +93,7 @@ def _environment(**variables: Optional[str]) -> Iterator[None]:
         _set(before)
 
 
-def _set(variables: dict[str, Optional[str]]) -> None:
+def _set(variables: Mapping[str, Optional[str]]) -> None:
     for name, value in variables.items():
         if value is None:
             os.environ.pop(name, None)

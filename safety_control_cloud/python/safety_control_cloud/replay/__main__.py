@@ -5,12 +5,12 @@ from __future__ import annotations
 import argparse
 import sys
 from pathlib import Path
-from typing import Dict, List, Optional, Sequence, Tuple
+from typing import Dict, Optional, Sequence, Tuple
 
+from safety_control_cloud.processes import ProcessError, end_on_sigterm
 from safety_control_cloud.replay.bags import BagError
 from safety_control_cloud.replay.lockstep import BadParameters, NoAnswer
 from safety_control_cloud.replay.replay import Request, replay
-from safety_control_cloud.ros_session import SessionError, end_on_sigterm
 
 FAILED, UNUSABLE, INTERRUPTED = 1, 2, 130  # exit codes; argparse too says 2
 
@@ -52,7 +52,7 @@ def main() -> int:
         replay(request)
     except (BagError, BadParameters) as error:
         return _complain(error, UNUSABLE)
-    except (NoAnswer, SessionError, OSError) as error:
+    except (NoAnswer, ProcessError, OSError) as error:
         return _complain(error, FAILED)
     except KeyboardInterrupt:
         return INTERRUPTED

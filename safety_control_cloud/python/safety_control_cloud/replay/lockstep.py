@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The real node, asked about one cloud at a time: none is dropped, and no answer depends on how fast this machine is."""
+"""The real node, asked about one cloud at a time: none is dropped, however fast or slow this machine is."""
 from __future__ import annotations
 
 import math
@@ -16,8 +16,9 @@ from sensor_msgs.msg import PointCloud2
 
 from safety_control_cloud import core
 from safety_control_cloud.msg import SafetyState
+from safety_control_cloud.processes import Process
 from safety_control_cloud.replay.bags import RecordedCloud
-from safety_control_cloud.ros_session import Process, node, roscore
+from safety_control_cloud.ros_session import node, roscore
 
 ANSWER_TIMEOUT = 30.0  # [s]
 REFUSAL = "cannot start with these parameters"  # as the node says it
@@ -71,7 +72,7 @@ def parameters_for_replay(chosen: Mapping[str, str]) -> Dict[str, str]:
 def safety_node(parameters: Mapping[str, str]) -> Iterator["Lockstep"]:
     """Starts a master and the node, and ends both. Once per process, as rospy.init_node().
 
-    Raises BadParameters, or ros_session.SessionError if either cannot be started.
+    Raises BadParameters, or processes.ProcessError if either cannot be started.
     """
     arguments = [f"_{name}:={value}" for name, value in parameters_for_replay(parameters).items()]
     with roscore(), node("safety_control_node", *arguments) as process:

@@ -24,7 +24,7 @@ class Request:
 
 
 def replay(request: Request) -> List[Answer]:
-    """Raises bags.BagError, lockstep.BadParameters, lockstep.NoAnswer, ros_session.SessionError."""
+    """Raises bags.BagError, lockstep.BadParameters, lockstep.NoAnswer, processes.ProcessError."""
     with recording(request.bags, request.topic) as recorded:
         answers = answers_to(recorded, request.parameters)
         title = f"{', '.join(bag.name for bag in request.bags)}  {recorded.topic}"
@@ -46,4 +46,4 @@ def answers_to(recorded: Recording, parameters: Mapping[str, str]) -> List[Answe
 def settings_of(parameters: Mapping[str, str]) -> core.Settings:
     """The settings the node had: it has accepted these parameters, so the numbers among them are numbers."""
     defaults = core.Settings().as_dict()
-    return core.Settings(**{name: type(defaults[name])(value) for name, value in parameters.items()})
+    return core.Settings(**{name: type(defaults[name])(value) for name, value in parameters.items() if name in defaults})

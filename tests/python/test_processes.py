@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: BSD-3-Clause
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from safety_control_cloud.processes import ProcessError, process
+
+STUBBORN = "import signal, time; signal.signal(signal.SIGINT, signal.SIG_IGN); print('up', flush=True); time.sleep(600)"
+
+
+def eventually(condition):
+    deadline = time.monotonic() + 30.0
+    while not condition():
+        assert time.monotonic() < deadline, "it did not come about within 30 s"
+        time.sleep(0.01)
+
+
+def exists(pid):
+    """Not counting a zombie, which has ended and waits to be asked how."""
+    status = Path(f"/proc/{pid}/status")
+    return status.exists() and "State:\tZ" not in status.read_text()
+
+
+def test_a_process_that_ignores_ctrl_c_is_ended_all_the_same(monkeypatch):
+    monkeypatch.setattr("safety_control_cloud.processes.SIGNALS", ((signal.SIGINT, 0.2), (signal.SIGTERM, 5.0)))
+    with process([sys.executable, "-c", STUBBORN]) as running:
+        eventually(lambda: running.output() == "up\n")
+
+    assert running.exit_code == -signal.SIGTERM
+
+
+def test_what_a_process_has_started_ends_with_it():
+    with process([sys.executable, "-c", "import subprocess; subprocess.Popen(['sleep', '600']); print('up')"]) as running:
+        running.wait(30.0)
+        sleepers = subprocess.run(["pgrep", "-g", str(running.pid)], stdout=subprocess.PIPE, text=True).stdout.split()
+        assert len(sleepers) == 1
+
+    eventually(lambda: not exists(sleepers[0]))
+
+
+def test_a_command_that_is_not_there_is_named():
+    with pytest.raises(ProcessError, match="no_such_command"):
+        with process(["no_such_command"]):
+            pass
+
+
+def test_sigterm_leaves_every_block_in_order():
+    code = ("import os, signal\n"
+            "from safety_control_cloud.processes import end_on_sigterm\n"
+            "end_on_sigterm()\n"
+            "try: os.kill(os.getpid(), signal.SIGTERM)\n"
+            "finally: print('in order')")
+
+    result = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
+
+    assert (result.returncode, result.stdout) == (128 + signal.SIGTERM, "in order\n")
