@@ -8,7 +8,7 @@ from typing import Any, Dict, Sequence
 
 import numpy as np
 from rosbags.rosbag1 import Writer as Ros1Writer
-from rosbags.rosbag2 import Writer as Ros2Writer
+from rosbags.rosbag2 import StoragePlugin, Writer as Ros2Writer
 from rosbags.typesys import Stores, get_typestore
 
 TOPIC = "/camera/depth/points"
@@ -54,9 +54,18 @@ def write_ros1(path: Path, clouds: Dict[str, Sequence[MadeCloud]]) -> Path:
 
 
 def write_ros2(path: Path, clouds: Dict[str, Sequence[MadeCloud]]) -> Path:
-    """The same as a ROS 2 bag (a folder)."""
+    """The same as a ROS 2 bag (a folder), stored in SQLite."""
+    return _write_ros2(Ros2Writer(path, version=9), path, clouds)
+
+
+def write_mcap(path: Path, clouds: Dict[str, Sequence[MadeCloud]]) -> Path:
+    """The same as a ROS 2 bag (a folder), stored as MCAP."""
+    return _write_ros2(Ros2Writer(path, version=9, storage_plugin=StoragePlugin.MCAP), path, clouds)
+
+
+def _write_ros2(opened: Ros2Writer, path: Path, clouds: Dict[str, Sequence[MadeCloud]]) -> Path:
     store = get_typestore(Stores.ROS2_HUMBLE)
-    with Ros2Writer(path, version=9) as writer:
+    with opened as writer:
         for topic, made in clouds.items():
             connection = writer.add_connection(topic, CLOUD, typestore=store)
             for cloud in made:

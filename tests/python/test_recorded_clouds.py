@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clouds that real sensors recorded, in every layout that drivers use, against truth that knows neither PCL nor this code."""
+"""Clouds that real sensors recorded, in every layout that drivers use, against truth that knows no PCL."""
 from __future__ import annotations
 
 import importlib.util
@@ -9,7 +9,6 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, Dict, Iterator, List, Tuple
 
-import numpy as np
 import pytest
 from rosbags.highlevel import AnyReader
 

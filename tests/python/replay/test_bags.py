@@ -3,7 +3,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from recordings import TOPIC, wall_at, write_ros1, write_ros2, write_without_clouds
+from recordings import TOPIC, wall_at, write_mcap, write_ros1, write_ros2, write_without_clouds
 from sensor_msgs.msg import PointCloud2
 
 from safety_control_cloud.replay.bags import BagError, recording
@@ -18,8 +18,8 @@ def read(*bags: Path, topic: str = None) -> list:
         return clouds
 
 
-@pytest.mark.parametrize("write, name", [(write_ros1, "drive.bag"), (write_ros2, "drive")])
-def test_clouds_of_both_kinds_of_bag_are_what_a_ros1_publisher_would_send(tmp_path, write, name):
+@pytest.mark.parametrize("write, name", [(write_ros1, "drive.bag"), (write_ros2, "drive"), (write_mcap, "drive")])
+def test_clouds_of_every_kind_of_bag_are_what_a_ros1_publisher_would_send(tmp_path, write, name):
     made = [wall_at(1.5, 10 * SECOND + 1), wall_at(0.7, 11 * SECOND)]
     bag = write(tmp_path / name, {TOPIC: made})
 
@@ -58,6 +58,11 @@ def test_a_wrong_topic_is_answered_with_those_that_are_there(tmp_path):
 
     with pytest.raises(BagError, match=rf"/nowhere in .*drive.bag; there is: {TOPIC} \(1\)$"):
         read(bag, topic="/nowhere")
+
+
+def test_a_bag_without_clouds_is_answered_with_what_it_holds(tmp_path):
+    with pytest.raises(BagError, match=r"chatter.bag; there is: /chatter \(std_msgs/String\)$"):
+        read(write_without_clouds(tmp_path / "chatter.bag"))
 
 
 def missing(folder: Path) -> Path:

@@ -49,6 +49,8 @@ def recording(bags: Sequence[Path], topic: Optional[str] = None) -> Iterator[Rec
     reader = _opened(bags)
     try:
         connections = [connection for connection in reader.connections if connection.msgtype == CLOUD]
+        if not any(connection.msgcount for connection in connections):
+            raise BagError(f"no sensor_msgs/PointCloud2 in {_names(bags)}; there is: {_contents(reader)}")
         chosen = _chosen(_counts(connections), topic, bags)
         of_topic = [connection for connection in connections if connection.topic == chosen]
         yield Recording(chosen, _counts(of_topic)[chosen], _clouds(reader, of_topic, bags))
@@ -102,10 +104,13 @@ def _counts(connections: Sequence[Any]) -> Dict[str, int]:
     return {topic: count for topic, count in counts.items() if count}
 
 
+def _contents(reader: AnyReader) -> str:
+    contents = {f"{connection.topic} ({connection.msgtype.replace('/msg/', '/')})" for connection in reader.connections}
+    return ", ".join(sorted(contents)) or "nothing"
+
+
 def _chosen(counts: Dict[str, int], topic: Optional[str], bags: Sequence[Path]) -> str:
     there = ", ".join(f"{name} ({count})" for name, count in sorted(counts.items()))
-    if not counts:
-        raise BagError(f"no sensor_msgs/PointCloud2 in {_names(bags)}")
     if topic is None:
         if len(counts) > 1:
             raise BagError(f"several topics with clouds in {_names(bags)}, choose one with --topic: {there}")

@@ -7,6 +7,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Dict, Iterable, Iterator, Sequence, TypeVar
 
+from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
@@ -15,6 +16,7 @@ from rich.text import Text
 from safety_control_cloud.replay.lockstep import Answer
 
 COLOURS = {"Safe": "green", "Warning": "yellow", "Danger": "red"}
+LONGEST_CAUSE = len("UNREADABLE:")
 WIDE = 240  # columns, where there is no terminal whose width would limit the table
 
 Item = TypeVar("Item")
@@ -36,12 +38,14 @@ def print_table(answers: Sequence[Answer], title: str) -> None:
 
 
 def table_of(answers: Sequence[Answer], title: str) -> Table:
+    """Fits into 80 columns, where the words of a cause are folded."""
     table = Table(
-        title=Text(title), title_justify="left", caption=summary_of(answers), caption_justify="left")
-    table.add_column(Text("stamp [s]"), justify="right", no_wrap=True)
+        box=SIMPLE_HEAD, show_edge=False, pad_edge=False, padding=(0, 1, 0, 0), title=Text(title),
+        title_justify="left", caption=summary_of(answers), caption_justify="left")
+    table.add_column(Text("stamp\n[s]"), justify="right", no_wrap=True)
     table.add_column("zone", no_wrap=True)
-    table.add_column("cause")
-    for figure in ("nearest [m]", "inside/returns/total", "speed [m/s]"):
+    table.add_column("cause", min_width=LONGEST_CAUSE)
+    for figure in ("nearest\n[m]", "inside/returns/total\n[points]", "speed\n[m/s]"):
         table.add_column(Text(figure), justify="right", no_wrap=True)
     for answer in answers:
         table.add_row(*_cells(answer))
