@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import signal
 import subprocess
 import sys
@@ -137,6 +138,17 @@ def test_an_interrupted_replay_leaves_no_process_behind(tmp_path, number, code):
 
     assert (running.wait(30), running.stderr.read()) == (code, "")
     assert not [pid for pid in children if Path(f"/proc/{pid}").exists()]
+
+
+def test_a_node_that_dies_is_named_and_ends_the_replay(tmp_path):
+    bag = write_ros1(tmp_path / "long.bag", {TOPIC: [wall_at(1.0, stamp) for stamp in range(1, 5000)]})
+    running = subprocess.Popen([*COMMAND, str(bag)], stderr=subprocess.PIPE, text=True)
+    children = eventually(lambda: len(found := children_of(running.pid)) == 2 and found)
+
+    os.kill(next(pid for pid in children if "safety_control_node" in Path(f"/proc/{pid}/cmdline").read_text()), 9)
+
+    assert running.wait(60) == 1
+    assert "the node ended with exit code -9" in running.stderr.read()
 
 
 def test_the_recorded_kinect_frames_are_in_the_warning_zone(tmp_path):

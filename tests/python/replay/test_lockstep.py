@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: BSD-3-Clause
+import subprocess
+import sys
+
+from recordings import TOPIC, wall_at, write_ros1
+
+from safety_control_cloud import core
+from safety_control_cloud.replay.lockstep import parameters_for_replay
+
+# rospy starts once per process, so this runs in one of its own. The pauses are longer than the node's patience: it
+# says SILENT between the clouds, with the stamp of the cloud before, which is the stamp of the next one too.
+SLOW = """
+import sys, time
+from pathlib import Path
+from safety_control_cloud.replay.bags import recording
+from safety_control_cloud.replay.lockstep import safety_node
+with recording([Path(sys.argv[1])]) as recorded, safety_node({"source_timeout": "0.1"}) as node:
+    for cloud in recorded.clouds:
+        answer = node.answer_to(cloud)
+        print(answer.stamp, answer.cause, round(answer.nearest, 3))
+        time.sleep(0.4)
+"""
+
+
+def test_a_repeated_state_of_the_cloud_before_is_never_taken_for_the_answer(tmp_path):
+    bag = write_ros1(tmp_path / "slow.bag", {TOPIC: [wall_at(d, stamp) for d, stamp in [(0.8, 0), (0.9, 0), (1.1, 0)]]})
+
+    result = subprocess.run([sys.executable, "-c", SLOW, str(bag)], capture_output=True, text=True, timeout=120)
+
+    assert (result.stdout, result.stderr) == ("0 SEEN 0.8\n0 SEEN 0.9\n0 SEEN 1.1\n", "")
+
+
+def test_neither_silence_nor_age_is_judged_in_a_recording():
+    parameters = parameters_for_replay({})
+
+    assert float(parameters["source_timeout"]) > 1e5
+    assert float(parameters.get("stamp_tolerance", 0.0)) == 0.0
+
+
+def test_only_parameters_that_the_node_has_are_set():
+    assert set(parameters_for_replay({})) <= set(core.Settings().as_dict())
+
+
+def test_what_the_caller_chooses_goes_before():
+    chosen = {"source_timeout": "0.2", "method": "pcl"}
+
+    assert parameters_for_replay(chosen).items() >= chosen.items()
