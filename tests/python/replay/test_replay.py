@@ -121,7 +121,8 @@ def test_what_cannot_be_replayed_gives_one_line_and_exit_code_2(tmp_path, argume
 
 
 @pytest.mark.parametrize("arguments", [
-    [], ["drive.bag", "--method", "fast"], ["drive.bag", "--json", "/nowhere/a.json"], ["drive.bag", "--param", "x"]])
+    [], ["drive.bag", "--method", "fast"], ["drive.bag", "--json", "/nowhere/a.json"], ["drive.bag", "--param", "x"],
+    ["drive.bag", "--plot", "plot.txt"]])
 def test_wrong_usage_is_exit_code_2(arguments):
     result = replay(*arguments)
 

@@ -13,6 +13,7 @@ from safety_control_cloud.replay.lockstep import BadParameters, NoAnswer
 from safety_control_cloud.replay.replay import Request, replay
 
 FAILED, UNUSABLE, INTERRUPTED = 1, 2, 130  # exit codes; argparse too says 2
+PICTURES = (".png", ".pdf", ".svg")
 
 
 def request_of(arguments: Optional[Sequence[str]] = None) -> Request:
@@ -23,7 +24,7 @@ def request_of(arguments: Optional[Sequence[str]] = None) -> Request:
     parser.add_argument("--param", metavar="NAME=VALUE", type=_parameter, action="append", default=[],
                         help="a private parameter of the node, e.g. --param danger_distance=0.6; may be repeated")
     parser.add_argument("--json", metavar="F", type=_writable, help="write the table as a list of objects")
-    parser.add_argument("--plot", metavar="F.png", type=_writable, help="draw distance and speed over time")
+    parser.add_argument("--plot", metavar="F.png", type=_picture, help="draw distance and speed over time")
     given = parser.parse_args(arguments)
     parameters: Dict[str, str] = dict(given.param)
     if given.method:
@@ -43,6 +44,12 @@ def _writable(text: str) -> Path:
     if path.is_dir() or not path.absolute().parent.is_dir():
         raise argparse.ArgumentTypeError(f"cannot write {text}")
     return path
+
+
+def _picture(text: str) -> Path:
+    if Path(text).suffix not in PICTURES:
+        raise argparse.ArgumentTypeError(f"{text!r} does not end in {', '.join(PICTURES)}")
+    return _writable(text)
 
 
 def main() -> int:

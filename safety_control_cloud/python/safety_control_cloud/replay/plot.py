@@ -20,6 +20,7 @@ INK, QUIET = "#22303c", "#8795a1"
 STYLE = {
     "font.family": "DejaVu Sans", "font.size": 10, "text.color": INK, "axes.edgecolor": QUIET, "axes.labelcolor": INK,
     "xtick.color": INK, "ytick.color": INK, "axes.spines.top": False, "axes.spines.right": False,
+    "figure.constrained_layout.w_pad": 0.12, "figure.constrained_layout.h_pad": 0.1,  # [inch]
 }
 
 
@@ -27,14 +28,13 @@ def write_plot(answers: Sequence[Answer], path: Path, title: str, limits: core.S
     """A picture in the format of the path's ending; limits are those the node decided by."""
     with plt.rc_context(STYLE):
         figure, (above, below) = plt.subplots(
-            2, 1, sharex=True, figsize=(10, 5.6), height_ratios=(3, 1), layout="constrained")
+            2, 1, sharex=True, figsize=(10, 5.6), gridspec_kw={"height_ratios": (3, 1)}, constrained_layout=True)
         times, label = _times(answers)
         _draw_distance(above, times, answers, limits)
         _draw_speed(below, times, answers, limits)
         above.set_title(title, loc="left", fontsize=12, fontweight="bold", pad=12)
         below.set_xlabel(label)
         below.set_xlim(*_padded(times))
-        figure.get_layout_engine().set(w_pad=0.12, h_pad=0.1)
         figure.savefig(path, dpi=150)
         plt.close(figure)
 
@@ -69,7 +69,7 @@ def _mark(axes: Axes, times: List[float], answers: Sequence[Answer], top: float)
         axes.scatter(lost, [0.03 * top] * len(lost), marker="X", s=36, color=COLOURS["Danger"], zorder=4,
                      label=f"cannot see: {causes}")
     if free or lost:
-        axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=2, frameon=False, borderaxespad=0.2)
+        axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncol=2, frameon=False, borderaxespad=0.2)
 
 
 def _draw_speed(axes: Axes, times: List[float], answers: Sequence[Answer], limits: core.Settings) -> None:
