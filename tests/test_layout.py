@@ -17,6 +17,7 @@ TOP_LEVEL = {
     *("safety_control_cloud", "tests", "scripts", "CMakeLists.txt", "package.xml", "README.md"),
     *("msg", "cfg", "srv", "setup.py", "LICENSE", "CHANGELOG.rst"),
 }
+TOOLS_OF_A_CLONE = {"setup", "test", "demo", "bench", "trials"}
 SOURCE_FOLDERS = {"core", "ros", "python", "launch", "config", "rviz"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
@@ -140,6 +141,11 @@ def test_the_sources_have_their_own_folders():
 
 def test_no_source_folder_shadows_the_generated_package():
     assert not (SOURCES / "__init__.py").exists()
+
+
+def test_a_script_is_installed_unless_it_is_a_tool_of_a_clone():
+    installed = re.search(r"foreach\(script ([^)]*)\)", (ROOT / "CMakeLists.txt").read_text())[1].split()
+    assert {path.name for path in (ROOT / "scripts").iterdir() if path.is_file()} - TOOLS_OF_A_CLONE <= set(installed)
 
 
 def test_every_source_names_its_licence():
