@@ -65,9 +65,9 @@ def test_the_node_starts_from_the_install_space_and_says_stop(master):
 
 
 def test_rosrun_finds_the_node_of_a_build_inside_the_package(master):
-    setup = ROOT / "build" / "devel" / "setup.bash"
+    setup = ROOT / "devel" / "setup.bash"
     if not setup.exists():
-        pytest.skip("there is no build/; scripts/setup makes it")
+        pytest.skip("there is no devel/; scripts/setup makes it")
     inside = {**environment(setup), "ROS_MASTER_URI": master["ROS_MASTER_URI"], "ROS_HOME": master["ROS_HOME"]}
     with process(["rosrun", "safety_control_cloud", "safety_control_node"], inside) as node:
         wait_for(lambda: "/safety_control_cloud" in run(["rosnode", "list"], env=inside).stdout, "the node")
