@@ -16,7 +16,7 @@ SECONDS = 600
 @pytest.mark.parametrize("path", [pytest.param(path, id=str(path.relative_to(TESTS))) for path in sorted(TESTS.rglob("*.test"))])
 def test_rostest(path, tmp_path):
     result = subprocess.run(
-        ["rostest", "--text", path],
+        ["rostest", path],  # with --text it would exit with 0 whatever the tests say
         env={**os.environ, "ROS_HOME": str(tmp_path), "ROS_LOG_DIR": str(tmp_path / "log")},
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
@@ -24,4 +24,5 @@ def test_rostest(path, tmp_path):
         timeout=SECONDS,
     )
     if result.returncode != 0:
-        pytest.fail(f"exit {result.returncode}\n{result.stdout}", pytrace=False)
+        results = "\n".join(found.read_text() for found in sorted(tmp_path.rglob("rosunit-*.xml")))
+        pytest.fail(f"exit {result.returncode}\n{result.stdout}\n{results}", pytrace=False)
