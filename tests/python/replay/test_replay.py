@@ -65,11 +65,22 @@ def test_no_cloud_is_dropped_and_each_gets_its_own_answer_whatever_its_stamp(tmp
     made = [wall_at(distance, stamp) for distance, stamp in zip(distances, stamps)]
     bag = write_ros1(tmp_path / "stamps.bag", {TOPIC: made})
 
-    got = answers(tmp_path, bag)
+    got = answers(tmp_path, bag, "--param", "near_loss_distance=0")  # walls that leap away are no test of that
 
     by_stamp = sorted(range(len(stamps)), key=lambda number: stamps[number])  # a bag is read in the order of time
     assert [answer["stamp"] for answer in got] == [stamps[number] / 1e9 for number in by_stamp]
     assert [round(answer["nearest"], 4) for answer in got] == [round(distances[number], 4) for number in by_stamp]
+
+
+def test_an_obstacle_lost_from_sight_has_a_distance_and_no_place(tmp_path):
+    lost = wall_at(3.0, 2)
+    lost.points[:, 0] += 2.0
+    bag = write_ros1(tmp_path / "lost.bag", {TOPIC: [wall_at(0.45, 1), lost]})
+
+    got = answers(tmp_path, bag)
+
+    assert of(got[1:], "cause", "zone", "nearest_point", "speed") == [("NEAR_LOSS", "Danger", None, 0.0)]
+    assert round(got[1]["nearest"], 4) == 0.45
 
 
 def test_malformed_clouds_reach_the_node_as_they_are(tmp_path):

@@ -41,7 +41,7 @@ class Answer:
     cause: str
     reason: str
     nearest: Optional[float]  # [m]; None: nothing there if the cause is SEEN, else could not look
-    nearest_point: Optional[Tuple[float, float, float]]  # [m] in the cloud's frame
+    nearest_point: Optional[Tuple[float, float, float]]  # [m]; None also for one that was lost from sight
     inside: int
     returns: int
     total: int
@@ -138,7 +138,6 @@ def _stamped(cloud: RecordedCloud, stamp: int) -> bytes:
 
 def _answer(cloud: RecordedCloud, state: SafetyState) -> Answer:
     point = (state.nearest_point.x, state.nearest_point.y, state.nearest_point.z)
-    known = math.isfinite(state.nearest)
     return Answer(
-        cloud.stamp, state.zone_text, state.cause_text, state.reason, state.nearest if known else None,
-        point if known else None, state.inside, state.returns, state.total, state.speed)
+        cloud.stamp, state.zone_text, state.cause_text, state.reason, state.nearest if math.isfinite(state.nearest) else None,
+        point if all(map(math.isfinite, point)) else None, state.inside, state.returns, state.total, state.speed)
