@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""MuJoCo, told which OpenGL to use: the choice is read when mujoco is imported, so all modules import it from here."""
+import os
+
+os.environ.setdefault("MUJOCO_GL", "osmesa")  # draws without a display or a graphics card
+
+import mujoco  # noqa: E402
+
+__all__ = ["mujoco"]

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Closed-loop drives without ROS and without waiting: camera, decision, multiplexer and base, turn by turn."""
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .base import Pose, Velocity
+from .mux import Mux
+from .turtlebot import TICK, TurtleBot
+from .world import Contact
+
+TELEOP = "Teleoperation"  # the mux's input that safety_control_cloud drives
+
+Steer = Callable[[NDArray[np.float32], float], "Velocity | None"]
+"""From a depth image [m] and the time [s] to the velocity wanted; None says nothing at all, as a dead node does."""
+
+
+@dataclass(frozen=True)
+class Moment:
+    """The truth at one picture."""
+
+    time: float  # [s]
+    pose: Pose
+    wanted: Velocity | None  # by the steering, upon this picture
+    speed: float  # [m/s] over the floor
+    contacts: tuple[Contact, ...]  # since the last picture
+
+
+def drive(robot: TurtleBot, steer: Steer, seconds: float, latency: float = 0.0, mux: Mux | None = None) -> Iterator[Moment]:
+    """Yields a Moment for every picture; what the caller does to the world in between, happens there.
+
+    `latency` [s] passes between a picture and its velocity's arrival at the mux.
+    """
+    mux = mux or Mux()
+    ticks_a_picture = round(1 / (robot.world.xtion.rate * TICK))
+    under_way: deque[tuple[int, Velocity]] = deque()
+    contacts: list[Contact] = []
+    for tick in range(round(seconds / TICK)):
+        if tick % ticks_a_picture == 0:
+            wanted = steer(robot.depth(), robot.time)
+            if wanted is not None:
+                under_way.append((tick + round(latency / TICK), wanted))
+            yield Moment(robot.time, robot.pose, wanted, robot.speed, tuple(contacts))
+            contacts.clear()
+        while under_way and under_way[0][0] <= tick:
+            _, velocity = under_way.popleft()
+            if mux.passes(TELEOP, robot.time):
+                robot.command(velocity)
+        robot.step()
+        contacts += robot.contacts

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The TurtleBot's body for MuJoCo. `config/turtlebot.urdf` shows the same robot to rviz; a test compares the two."""
+from __future__ import annotations
+
+from math import cos, degrees, pi, sin
+
+from .base import WHEEL_RADIUS, WHEEL_SEPARATION
+from .gl import mujoco
+from .sensor import Xtion
+
+PREFIX = "turtlebot/"
+BODY = PREFIX + "body"
+CAMERA = PREFIX + "xtion"
+JOINTS = tuple(PREFIX + axis for axis in ("x", "y", "yaw", "pitch"))
+GROUP = 5  # MuJoCo does not draw it unless asked: the Xtion looks out between the plates and sees none of the robot
+
+BASE_LINK = 0.0102  # [m] above base_footprint
+BODY_RADIUS = 0.178  # [m] Kobuki
+BODY_HEIGHT = 0.109  # [m]
+BODY_CENTRE = BASE_LINK + 0.0595  # [m] above the floor: 15 mm of ground clearance
+BODY_MASS = 2.4  # [kg]
+PLATE_RADIUS = 0.16  # [m]
+PLATES = (0.142, 0.199, 0.402)  # [m] above the floor; the Xtion stands on the middle one, the top one lies above it
+POLE_RADIUS = 0.006  # [m]
+OPTICAL_TO_GL = (0.5, 0.5, -0.5, -0.5)  # w, x, y, z: MuJoCo's cameras look along -z with y up, the robot's nose is x
+
+_BLACK = (0.09, 0.09, 0.10, 1)
+_WOOD = (0.24, 0.20, 0.17, 1)
+_STEEL = (0.72, 0.73, 0.75, 1)
+
+
+def add_turtlebot(spec: mujoco.MjSpec, xtion: Xtion) -> None:
+    """Put the robot at the world's origin, free to be placed by its four JOINTS [m, m, rad, rad]."""
+    body = spec.worldbody.add_body(name=BODY)
+    slide, hinge = mujoco.mjtJoint.mjJNT_SLIDE, mujoco.mjtJoint.mjJNT_HINGE
+    kinds_and_axes = ((slide, (1, 0, 0)), (slide, (0, 1, 0)), (hinge, (0, 0, 1)), (hinge, (0, 1, 0)))
+    for name, (kind, axis) in zip(JOINTS, kinds_and_axes):
+        body.add_joint(name=name, type=kind, axis=axis)
+    _add_hull(body)
+    _add_looks(body, xtion)
+    body.add_camera(name=CAMERA, pos=xtion.mount, quat=OPTICAL_TO_GL, fovy=degrees(xtion.vertical_view))
+
+
+def _add_hull(body: mujoco.MjsBody) -> None:
+    """The two cylinders that can touch something: the Kobuki, and the tower of plates upon it."""
+    cylinder = mujoco.mjtGeom.mjGEOM_CYLINDER
+    body.add_geom(
+        name=PREFIX + "kobuki", type=cylinder, size=(BODY_RADIUS, BODY_HEIGHT / 2, 0), pos=(0, 0, BODY_CENTRE),
+        mass=BODY_MASS, rgba=_BLACK, group=GROUP, contype=1, conaffinity=1,
+    )
+    low, high = PLATES[0], PLATES[-1]
+    body.add_geom(
+        name=PREFIX + "tower", type=cylinder, size=(PLATE_RADIUS, (high - low) / 2, 0), pos=(0, 0, (low + high) / 2),
+        mass=1.0, rgba=(0, 0, 0, 0), group=GROUP, contype=1, conaffinity=1,
+    )
+
+
+def _add_looks(body: mujoco.MjsBody, xtion: Xtion) -> None:
+    def add(kind: mujoco.mjtGeom, size, pos, colour, **turned) -> None:
+        body.add_geom(type=kind, size=size, pos=pos, rgba=colour, mass=0, group=GROUP, contype=0, conaffinity=0, **turned)
+
+    cylinder, box = mujoco.mjtGeom.mjGEOM_CYLINDER, mujoco.mjtGeom.mjGEOM_BOX
+    for side in (-1, 1):
+        add(cylinder, (WHEEL_RADIUS, 0.01, 0), (0, side * WHEEL_SEPARATION / 2, WHEEL_RADIUS), _BLACK, zaxis=(0, 1, 0))
+    for height in PLATES:
+        add(cylinder, (PLATE_RADIUS, 0.004, 0), (0, 0, height), _WOOD)
+    low, high = PLATES[0], PLATES[-1]
+    for place in range(6):
+        angle = (place + 0.5) * pi / 3
+        at = 0.9 * PLATE_RADIUS * cos(angle), 0.9 * PLATE_RADIUS * sin(angle), (low + high) / 2
+        add(cylinder, (POLE_RADIUS, (high - low) / 2, 0), at, _STEEL)
+    x, _, z = xtion.mount
+    add(box, (0.018, 0.09, 0.014), (x - 0.01, 0, z), _BLACK)
+    add(box, (0.02, 0.03, (z - PLATES[1]) / 2), (x - 0.01, 0, (z + PLATES[1]) / 2), _BLACK)
