@@ -39,14 +39,14 @@ def test_the_robot_slows_and_stands_before_the_cabinet_where_it_did_in_gazebo(wo
     moments = tutorial_drive(robot, 13.0)
     assert wanted_speeds(moments) == [0.2, 0.1, 0.0]
     assert not any(moment.contacts for moment in moments)
-    assert moments[-1].speed == 0.0
+    assert moments[-1].velocity == Velocity()
     assert GAZEBO_STOP[0] <= front - (robot.pose.x + CAMERA_X) <= GAZEBO_STOP[1]
 
 
 @pytest.mark.parametrize("world", [name for name in world_names() if name != "hall"])
 def test_from_the_start_of_each_world_the_robot_comes_to_stand_without_touching(world):
     moments = tutorial_drive(TurtleBot(World.load(world, QVGA)), 20.0)
-    assert wanted_speeds(moments)[-1] == 0.0 and moments[-1].speed == 0.0
+    assert wanted_speeds(moments)[-1] == 0.0 and moments[-1].velocity == Velocity()
     assert not any(moment.contacts for moment in moments)
 
 
@@ -70,7 +70,7 @@ def test_a_steering_that_falls_silent_leaves_the_robot_standing_within_0_6_s_and
     robot = TurtleBot(room(xtion=QVGA), DRIVER)
     moments = list(drive(robot, dies, 4.0))
     robot.close()
-    standing = next(moment.time for moment in moments if moment.time > 2.0 and moment.speed == 0.0)
+    standing = next(moment.time for moment in moments if moment.time > 2.0 and moment.velocity == Velocity())
     assert standing <= 2.0 + 0.6 + 0.2 / 0.36 + 0.05
 
 
@@ -96,6 +96,6 @@ def test_something_that_steps_in_the_way_during_the_drive_stops_the_robot():
             robot.world.move("cart", Pose(1.5, 0.0))
         moments.append(moment)
     robot.close()
-    assert moments[-1].speed == 0.0
+    assert moments[-1].velocity == Velocity()
     assert not any(moment.contacts for moment in moments)
     assert 0 < robot.world.clearance() < 0.4

@@ -54,6 +54,13 @@ def test_messages_that_do_not_pass_do_not_keep_the_holder_alive():
     assert mux.passes(NAVI, 0.2)
 
 
+def test_after_the_clock_went_back_nobody_holds_the_mux():
+    mux = Mux()
+    mux.passes(TELEOP, 100.0)
+    assert mux.holder(3.0) == IDLE
+    assert mux.passes(NAVI, 3.0)
+
+
 def test_equal_priority_does_not_take_over():
     mux = Mux([Input("a", "/a", 5, 1.0), Input("b", "/b", 5, 1.0)])
     mux.passes("a", 0.0)

@@ -21,7 +21,7 @@ def test_a_commanded_robot_drives_and_stops_0_6_s_after_the_last_command():
     robot.command(Velocity(0.2))
     robot.advance(3.0)
     assert robot.pose.x == pytest.approx(0.12, abs=0.2 * TICK)
-    assert robot.speed == 0.0
+    assert robot.velocity == Velocity()
 
 
 def test_a_wall_stops_the_robot_and_the_contact_is_reported():
@@ -29,7 +29,7 @@ def test_a_wall_stops_the_robot_and_the_contact_is_reported():
     drive_on(robot, Velocity(0.2), 4.0)
     assert {contact.obstacle for contact in robot.contacts} == {"wall"}
     assert robot.pose.x == pytest.approx(0.5 - BODY_RADIUS, abs=0.003)
-    assert robot.speed == 0.0 and robot.base.velocity.linear == 0.2  # the wheels slip
+    assert robot.velocity == Velocity() and robot.base.velocity.linear == 0.2  # the wheels slip
 
 
 def test_a_robot_at_a_wall_can_back_off():

@@ -91,13 +91,12 @@ def moved(pose: Pose, velocity: Velocity, dt: float) -> Pose:
     )
 
 
-def pitch_at(speed: float, odometer: float, phase: float) -> float:
+def pitch_at(speed: float, phase: float) -> float:
     """[rad] The casters let the body rock while it drives; TF does not know, the camera does.
 
-    Gazebo gave the range only; once per turn of the wheel is our assumption.
+    Gazebo gave the range only; that it rocks once per turn of the wheels, of which `phase` [rad] tells, is our assumption.
     """
-    share = min(1.0, abs(speed) / ROCKING_FULL_AT)
-    return RESTING_PITCH + share * ROCKING * sin(odometer / WHEEL_RADIUS + phase)
+    return RESTING_PITCH + ROCKING * min(1.0, abs(speed) / ROCKING_FULL_AT) * sin(phase)
 
 
 class Base:
@@ -111,7 +110,7 @@ class Base:
         """Put down at `pose` at rest, with no command."""
         self.pose = pose
         self.velocity = Velocity()  # of the wheels
-        self.odometer = 0.0  # [m] the wheels have rolled
+        self.rolled = (0.0, 0.0)  # [m] the left and the right wheel
         self.commanded = Velocity()
         self._commanded_at = -inf
 
@@ -119,9 +118,15 @@ class Base:
         self.commanded = within_wheels(velocity)
         self._commanded_at = now
 
+    @property
+    def pitch_phase(self) -> float:
+        """[rad] The mean turn of the wheels."""
+        return sum(self.rolled) / 2 / WHEEL_RADIUS
+
     def next_pose(self, now: float, dt: float) -> Pose:
         """Turn the wheels for `dt` up to `now` and say where they lead; the caller sets `pose`, as walls may forbid it."""
         target = self.commanded if now - self._commanded_at <= COMMAND_TIMEOUT else Velocity()
         self.velocity = obeyed(self.velocity, target, self.limits, dt)
-        self.odometer += abs(self.velocity.linear) * dt
+        left, right = wheel_speeds(self.velocity)
+        self.rolled = (self.rolled[0] + left * dt, self.rolled[1] + right * dt)
         return moved(self.pose, self.velocity, dt)

@@ -27,7 +27,7 @@ class Moment:
     time: float  # [s]
     pose: Pose
     wanted: Velocity | None  # by the steering, upon this picture
-    speed: float  # [m/s] over the floor
+    velocity: Velocity  # over the floor
     contacts: tuple[Contact, ...]  # since the last picture
 
 
@@ -45,7 +45,7 @@ def drive(robot: TurtleBot, steer: Steer, seconds: float, latency: float = 0.0, 
             wanted = steer(robot.depth(), robot.time)
             if wanted is not None:
                 under_way.append((tick + round(latency / TICK), wanted))
-            yield Moment(robot.time, robot.pose, wanted, robot.speed, tuple(contacts))
+            yield Moment(robot.time, robot.pose, wanted, robot.velocity, tuple(contacts))
             contacts.clear()
         while under_way and under_way[0][0] <= tick:
             _, velocity = under_way.popleft()

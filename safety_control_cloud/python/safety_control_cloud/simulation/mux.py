@@ -92,6 +92,6 @@ class Mux:
         return holding.name if holding else IDLE
 
     def _holding(self, now: float) -> Input | None:
-        if self._holder is not None and now - self._heard_at >= self._holder.timeout:
-            self._holder = None
+        if self._holder is not None and not 0 <= now - self._heard_at < self._holder.timeout:
+            self._holder = None  # silent too long, or the clock has gone back
         return self._holder

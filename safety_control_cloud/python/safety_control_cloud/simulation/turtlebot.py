@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from math import hypot, pi
+from math import pi
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +25,7 @@ class TurtleBot:
         self.world = world
         self.base = Base(limits)
         self.contacts: tuple[Contact, ...] = ()  # of the last tick
-        self.speed = 0.0  # [m/s] over the floor, which slipping wheels do not tell
+        self.velocity = Velocity()  # over the floor, which slipping wheels do not tell
         self._ticks = 0
         self._camera: Camera | None = None
         self.reset(seed)
@@ -47,12 +47,12 @@ class TurtleBot:
         """One TICK. Nothing gives way to the robot: it stays, its wheels slipping, where going on would press it in deeper."""
         self._ticks += 1
         before, after = self.pose, self.base.next_pose(self.time, TICK)
+        self.velocity = self.base.velocity
         self.contacts = self._touching_at(after)
         if self.contacts:
             if _deepest(self.contacts) > _deepest(self._touching_at(before)):
-                after = before
+                after, self.velocity = before, Velocity()
             self._put(after)
-        self.speed = hypot(after.x - before.x, after.y - before.y) / TICK
         self.base.pose = after
 
     def advance(self, seconds: float) -> None:
@@ -70,7 +70,7 @@ class TurtleBot:
     def place(self, pose: Pose) -> None:
         """Lift the robot and put it down at `pose`, at rest."""
         self.base.stand_at(pose)
-        self.speed = 0.0
+        self.velocity = Velocity()
         self.contacts = self._touching_at(pose)
 
     def reset(self, seed: int | None) -> None:
@@ -97,7 +97,7 @@ class TurtleBot:
 
     def _put(self, pose: Pose) -> None:
         rocking_speed = 0.0 if self._random is None else self.base.velocity.linear
-        self.world.place_robot(pose, pitch_at(rocking_speed, self.base.odometer, self._phase))
+        self.world.place_robot(pose, pitch_at(rocking_speed, self.base.pitch_phase + self._phase))
 
 
 def _deepest(contacts: Iterable[Contact]) -> float:

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The TurtleBot's velocity multiplexer as a ROS node; the rules stand in `simulation/mux.py`."""
+from __future__ import annotations
+
+import time
+from threading import Lock
+
+import rospy
+from geometry_msgs.msg import Twist
+from std_msgs.msg import String
+
+from ..simulation.mux import Mux, Table
+
+_LOOK_EVERY = 0.02  # [s] for a holder that has fallen silent
+
+
+def _resolved(topic: str) -> str:
+    """Relative topics are relative to the node's own name, as in yocs_cmd_vel_mux."""
+    return topic if topic.startswith(("/", "~")) else "~" + topic
+
+
+class CmdVelMux:
+    def __init__(self, table: Table) -> None:
+        self._mux = Mux(table.inputs)
+        self._lock = Lock()  # rospy calls back from one thread for each publisher
+        self._announced: str | None = None
+        self._active = rospy.Publisher("~active", String, queue_size=10, latch=True)
+        self._output = rospy.Publisher(_resolved(table.publisher), Twist, queue_size=10, tcp_nodelay=True)
+        self._inputs = [
+            rospy.Subscriber(_resolved(one.topic), Twist, self._on_twist, one.name, queue_size=10, tcp_nodelay=True)
+            for one in table.inputs
+        ]
+
+    def run(self) -> None:
+        while not rospy.is_shutdown():
+            with self._lock:
+                self._announce(rospy.get_time())
+            time.sleep(_LOOK_EVERY)  # real time: a simulated clock may stand still
+
+    def _on_twist(self, twist: Twist, name: str) -> None:
+        now = rospy.get_time()
+        with self._lock:
+            if self._mux.passes(name, now):
+                self._output.publish(twist)
+            self._announce(now)
+
+    def _announce(self, now: float) -> None:
+        holder = self._mux.holder(now)
+        if holder != self._announced:
+            self._announced = holder
+            self._active.publish(holder)
+
+
+def run(table: Table) -> None:
+    rospy.init_node("cmd_vel_mux")
+    CmdVelMux(table).run()

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The simulated TurtleBot as a ROS node: topics, frames and clock of the real robot and of Gazebo."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from itertools import count
+from math import atan2
+from queue import Empty, SimpleQueue
+
+import rospy
+from geometry_msgs.msg import PointStamped, PoseWithCovarianceStamped, Twist
+from nav_msgs.msg import Odometry
+from rosgraph_msgs.msg import Clock
+from sensor_msgs.msg import CameraInfo, Image, JointState, PointCloud2
+from std_msgs.msg import String
+from std_srvs.srv import Empty as EmptyService
+from std_srvs.srv import EmptyResponse
+from tf2_msgs.msg import TFMessage
+
+from ..simulation.base import Pose
+from ..simulation.turtlebot import TICK, TurtleBot
+from . import messages
+from .pace import Pace
+
+_ODOMETRY_EVERY = 2  # ticks: 50 Hz, as kobuki_node
+
+
+@dataclass(frozen=True)
+class Options:
+    rate: float = 1.0  # simulated seconds a second; 0: as many as the computer manages
+    depth_encoding: str = "32FC1"  # or 16UC1
+    seed: int | None = 0
+
+
+class TurtlebotSim:
+    """Runs in the thread that calls `run`; what comes in from outside waits for the next tick."""
+
+    def __init__(self, robot: TurtleBot, options: Options = Options()) -> None:
+        self._robot = robot
+        self._options = options
+        self._orders: SimpleQueue[Callable[[], None]] = SimpleQueue()
+        self._cloud = messages.CloudMessage(robot.world.xtion)
+        self._touched: str | None = None
+        self._advertise()
+        self._subscribe()
+
+    def run(self, draw: Callable[[], None] = lambda: None) -> None:
+        """Until ROS shuts down; `draw` is called whenever the camera may take a picture."""
+        picture_every = round(1 / (self._robot.world.xtion.rate * TICK))
+        pace = Pace(self._options.rate)
+        for tick in count(1):
+            if rospy.is_shutdown():
+                break
+            self._obey()
+            self._robot.step()
+            stamp = messages.time_of(self._robot.time)
+            self._clock.publish(Clock(stamp))
+            self._publish_contacts()
+            if tick % _ODOMETRY_EVERY == 0:
+                self._publish_odometry(stamp)
+            if tick % picture_every == 0:
+                self._publish_pictures(stamp)
+                draw()
+            pace.keep(TICK)
+        self._robot.close()
+
+    def _advertise(self) -> None:
+        self._clock = rospy.Publisher("/clock", Clock, queue_size=10, tcp_nodelay=True)
+        self._odometry = rospy.Publisher("/odom", Odometry, queue_size=10)
+        self._joints = rospy.Publisher("/joint_states", JointState, queue_size=10)
+        self._transforms = rospy.Publisher("/tf", TFMessage, queue_size=100)
+        self._contacts = rospy.Publisher("~contacts", String, queue_size=10, latch=True)
+        self._points = rospy.Publisher("/camera/depth/points", PointCloud2, queue_size=1, tcp_nodelay=True)
+        self._depth = rospy.Publisher("/camera/depth/image_raw", Image, queue_size=1)
+        self._colour = rospy.Publisher("/camera/rgb/image_raw", Image, queue_size=1)
+        self._infos = [
+            rospy.Publisher(f"/camera/{eye}/camera_info", CameraInfo, queue_size=1) for eye in ("depth", "rgb")
+        ]
+
+    def _subscribe(self) -> None:
+        rospy.Subscriber("/mobile_base/commands/velocity", Twist, self._on_velocity, queue_size=10, tcp_nodelay=True)
+        rospy.Subscriber("/initialpose", PoseWithCovarianceStamped, self._on_pose, queue_size=1)
+        rospy.Subscriber("/clicked_point", PointStamped, self._on_point, queue_size=10)
+        rospy.Service("~reset", EmptyService, self._on_reset)
+
+    def _on_velocity(self, twist: Twist) -> None:
+        self._orders.put(partial(self._robot.command, messages.to_velocity(twist)))
+
+    def _on_pose(self, message: PoseWithCovarianceStamped) -> None:
+        if self._is_in_world(message.header.frame_id, "2D Pose Estimate"):
+            at, turn = message.pose.pose.position, message.pose.pose.orientation
+            self._orders.put(partial(self._robot.place, Pose(at.x, at.y, 2 * atan2(turn.z, turn.w))))
+
+    def _on_point(self, message: PointStamped) -> None:
+        if self._is_in_world(message.header.frame_id, "Publish Point"):
+            self._orders.put(partial(self._robot.world.drop_box, message.point.x, message.point.y))
+
+    def _on_reset(self, _request) -> EmptyResponse:
+        self._orders.put(partial(self._robot.reset, self._options.seed))
+        return EmptyResponse()
+
+    def _is_in_world(self, frame: str, tool: str) -> bool:
+        if frame.lstrip("/") == messages.WORLD_FRAME:
+            return True
+        rospy.logwarn("%s is understood in %s, not in '%s': set it as rviz's fixed frame", tool, messages.WORLD_FRAME, frame)
+        return False
+
+    def _obey(self) -> None:
+        try:
+            while True:
+                self._orders.get_nowait()()
+        except Empty:
+            pass
+
+    def _publish_contacts(self) -> None:
+        touched = ", ".join(sorted({contact.obstacle for contact in self._robot.contacts}))
+        if touched != self._touched:
+            self._touched = touched
+            self._contacts.publish(touched)
+
+    def _publish_odometry(self, stamp: rospy.Time) -> None:
+        pose, velocity = self._robot.pose, self._robot.velocity
+        self._odometry.publish(messages.to_odometry(pose, velocity, stamp))
+        self._transforms.publish([messages.to_transform(pose, stamp)])
+        self._joints.publish(messages.to_joint_state(self._robot.base.rolled, stamp))
+
+    def _publish_pictures(self, stamp: rospy.Time) -> None:
+        """A picture is taken only while somebody wants to see it."""
+        for info in self._infos:
+            if info.get_num_connections():
+                info.publish(messages.to_camera_info(self._robot.world.xtion, stamp))
+        cloud, depth, colour = (topic.get_num_connections() > 0 for topic in (self._points, self._depth, self._colour))
+        seen_depth = self._robot.depth() if cloud or depth else None
+        seen_colour = self._robot.colour() if cloud or colour else None
+        if cloud:
+            self._points.publish(self._cloud.of(seen_depth, seen_colour, stamp))
+        if depth:
+            self._depth.publish(messages.to_depth_image(seen_depth, self._options.depth_encoding, stamp))
+        if colour:
+            self._colour.publish(messages.to_image(seen_colour, "rgb8", stamp))
