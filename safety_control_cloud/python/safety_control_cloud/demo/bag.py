@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A bag of a run: all that is small, and of what is large one message now and then."""
+"""A bag of a run: all that is small, and of what is large one message now and then.
+
+A process of its own (`python -m safety_control_cloud.demo.bag FILE`): packing clouds would hold up whoever looks on.
+"""
 from __future__ import annotations
 
+import sys
+import time
 from pathlib import Path
 from threading import Lock
 
@@ -28,7 +33,7 @@ SMALL = {
     "/camera/depth/camera_info": CameraInfo,
 }
 LARGE = {"/camera/depth/points": PointCloud2, "/camera/rgb/image_raw": Image, "/output": PointCloud2}
-LARGE_EVERY = 2.0  # [s]
+LARGE_EVERY = 1.0  # [s] of real time
 
 
 class Recorder:
@@ -37,29 +42,47 @@ class Recorder:
     def __init__(self, path: Path) -> None:
         self._bag = rosbag.Bag(str(path), "w", compression="lz4")
         self._lock = Lock()
-        self._closed = False
         self._subscribers = [
             rospy.Subscriber(topic, kind, self._on_message, topic, queue_size=100) for topic, kind in SMALL.items()
         ]
-        self._timer = rospy.Timer(rospy.Duration.from_sec(LARGE_EVERY), self._on_turn, reset=True)
+
+    def run(self) -> None:
+        """Until ROS shuts down."""
+        while not rospy.is_shutdown():
+            for topic, kind in LARGE.items():
+                self._take_one(topic, kind)
+            time.sleep(LARGE_EVERY)
 
     def close(self) -> None:
-        self._timer.shutdown()
         for subscriber in self._subscribers:
             subscriber.unregister()
         with self._lock:
-            self._closed = True
             self._bag.close()
 
     def _on_message(self, message, topic: str) -> None:
+        now = rospy.Time.now()
         with self._lock:
-            if not self._closed:
-                self._bag.write(topic, message, rospy.Time.now())
+            if now:  # else the simulated clock has not begun
+                self._bag.write(topic, message, now)
 
-    def _on_turn(self, _event) -> None:
+    def _take_one(self, topic: str, kind: type) -> None:
         """Subscribed for one message: 10 MB clouds at 20 Hz would keep this process busy."""
-        for topic, kind in LARGE.items():
-            try:
-                self._on_message(rospy.wait_for_message(topic, kind, timeout=1.0), topic)
-            except rospy.ROSException:
-                continue  # nobody publishes it now
+        try:
+            self._on_message(rospy.wait_for_message(topic, kind, timeout=1.0), topic)
+        except rospy.ROSException:
+            pass  # nobody publishes it now
+
+
+def main(path: Path) -> None:
+    rospy.init_node("safety_demo_bag")
+    recorder = Recorder(path)
+    try:
+        recorder.run()
+    except rospy.ROSInterruptException:
+        pass
+    finally:
+        recorder.close()
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))

@@ -2,7 +2,9 @@
 """The demo from start to end."""
 from __future__ import annotations
 
+import sys
 import time
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -10,19 +12,19 @@ import rosgraph
 import rospy
 from rich.console import Console
 
-from .bag import Recorder
 from .picture import COLOURS, draw
 from .record import Approach, Sample
-from .stack import Stack, launched
+from .stack import launched, running
 from .watch import Watch
 
 APPROACHES = 2  # as in the tutorial: it is moved back, and does it again
+_START_TIMEOUT = 30.0  # [s]
 
 
 @dataclass(frozen=True)
 class Options:
     world: str
-    folder: Path  # for picture, bag and log
+    folder: Path  # for picture, bag and logs
     rviz: bool
     patience: float  # [s] of simulated time for a drive
 
@@ -30,24 +32,22 @@ class Options:
 def run(options: Options) -> bool:
     """Did the robot stand in Danger, having touched nothing, every time?"""
     options.folder.mkdir(parents=True, exist_ok=True)
-    console = Console(highlight=False)
+    console = Console(highlight=False, soft_wrap=True)
     arguments = [f"world:={options.world}", f"rviz:={str(options.rviz).lower()}"]
-    with launched("demo.launch", arguments, options.folder / "roslaunch.log") as stack:
-        _join(stack)
-        recorder = Recorder(options.folder / "run.bag")
-        try:
-            approaches = _drive(stack, options.patience, console)
-        finally:
-            recorder.close()
+    bag = [sys.executable, "-m", "safety_control_cloud.demo.bag", str(options.folder / "run.bag")]
+    with launched("demo.launch", arguments, options.folder / "roslaunch.log") as ros:
+        _join(lambda: ros.poll() is None)
+        with running(bag, options.folder / "bag.log"):
+            approaches = _drive(lambda: ros.poll() is None, options.patience, console)
         rospy.signal_shutdown("the demo is over")
     return _report(approaches, options, console)
 
 
-def _join(stack: Stack) -> None:
+def _join(ros_runs: Callable[[], bool]) -> None:
     """Become a node once roslaunch has said that time is simulated; rospy asks only once."""
     master = rosgraph.Master("/safety_demo")
-    give_up = time.monotonic() + 30
-    while time.monotonic() < give_up and stack.is_running:
+    give_up = time.monotonic() + _START_TIMEOUT
+    while time.monotonic() < give_up and ros_runs():
         try:
             if master.getParam("/use_sim_time"):
                 rospy.init_node("safety_demo", disable_signals=True)
@@ -57,34 +57,35 @@ def _join(stack: Stack) -> None:
     raise RuntimeError("ROS did not come up; see roslaunch.log")
 
 
-def _drive(stack: Stack, patience: float, console: Console) -> list[Approach]:
+def _drive(ros_runs: Callable[[], bool], patience: float, console: Console) -> list[Approach]:
     watch = Watch(lambda sample: console.print(_line(sample)))
     start = watch.reset()
+    console.print("[dim]   time   zone           nearest   /mobile_base/commands/velocity   driven[/]")
     approaches: list[Approach] = []
     for turn in range(APPROACHES):
         if turn:
             console.print("\n[bold]The robot is moved back, and does it again[/]")
             watch.move_to(start)
-        approaches.append(watch.approach(patience, lambda: stack.is_running))
+        approaches.append(watch.approach(patience, ros_runs))
     return approaches
 
 
 def _line(sample: Sample) -> str:
-    zone = f"{sample.zone} zone"
-    return (
-        f"{sample.time:7.2f} s   [bold {COLOURS.get(sample.zone, 'white')}]{zone:<12}[/]   nearest {sample.nearest:5.2f} m   "
-        f"/mobile_base/commands/velocity linear.x {sample.commanded:.1f}   driven {sample.speed:.2f} m/s"
-    )
+    zone = f"[bold {COLOURS.get(sample.zone, 'white')}]{sample.zone + ' zone':<12}[/]"
+    return f"{sample.time:6.2f} s  {zone}  {sample.nearest:6.2f} m   linear.x {sample.commanded:.1f} m/s{sample.speed:21.2f} m/s"
 
 
-def _report(approaches: list[Approach], options: Options, console: Console) -> bool:
+def _report(approaches: Sequence[Approach], options: Options, console: Console) -> bool:
     console.print()
     for turn, approach in enumerate(approaches, start=1):
-        if approach.problem:
-            console.print(f"[bold red]Drive {turn}: {approach.problem}[/]")
-        else:
-            console.print(f"[bold green]Drive {turn}: {' > '.join(approach.zones)}; stands {approach.stood_at:.2f} m before the obstacle, touched nothing[/]")
+        console.print(f"Drive {turn}: {_verdict(approach)}")
     if all(approach.samples for approach in approaches):
         draw(approaches, Path(options.world).stem, options.folder / "run.png")
-    console.print(f"Picture, bag and log: {options.folder}/run.png, run.bag, roslaunch.log")
+    console.print(f"Picture {options.folder / 'run.png'}, bag {options.folder / 'run.bag'}")
     return not any(approach.problem for approach in approaches)
+
+
+def _verdict(approach: Approach) -> str:
+    if approach.problem:
+        return f"[bold red]{approach.problem}[/]"
+    return f"[bold green]{', '.join(approach.zones)}; stands {approach.stood_at:.2f} m before the obstacle and touched nothing[/]"

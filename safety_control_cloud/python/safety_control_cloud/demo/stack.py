@@ -8,20 +8,9 @@ import socket
 import subprocess
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 
-_PATIENCE = 15.0  # [s] for the nodes to end by themselves
-
-
-@dataclass(frozen=True)
-class Stack:
-    master: str  # ROS_MASTER_URI
-    process: subprocess.Popen
-
-    @property
-    def is_running(self) -> bool:
-        return self.process.poll() is None
+_PATIENCE = 10.0  # [s] for a process to end by itself
 
 
 def free_port() -> int:
@@ -31,17 +20,23 @@ def free_port() -> int:
 
 
 @contextmanager
-def launched(launch_file: str, arguments: Sequence[str], log: Path) -> Iterator[Stack]:
-    """Run a launch file of this package; sets ROS_MASTER_URI of this process too, for rospy to find it."""
-    port = free_port()
-    os.environ["ROS_MASTER_URI"] = f"http://localhost:{port}"
-    command = ["roslaunch", "-p", str(port), "safety_control_cloud", launch_file, *arguments]
+def running(command: Sequence[str], log: Path) -> Iterator[subprocess.Popen]:
+    """Run a command with its children for as long as the block lasts; what they say goes to `log`."""
     with log.open("w") as output:
-        process = subprocess.Popen(command, stdout=output, stderr=subprocess.STDOUT, start_new_session=True)
+        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT, start_new_session=True)
         try:
-            yield Stack(os.environ["ROS_MASTER_URI"], process)
+            yield process
         finally:
             _end(process)
+
+
+@contextmanager
+def launched(launch_file: str, arguments: Sequence[str], log: Path) -> Iterator[subprocess.Popen]:
+    """Run a launch file of this package with a master of its own, to which it leads this process too."""
+    port = free_port()
+    os.environ["ROS_MASTER_URI"] = f"http://localhost:{port}"
+    with running(["roslaunch", "-p", str(port), "safety_control_cloud", launch_file, *arguments], log) as process:
+        yield process
 
 
 def _end(process: subprocess.Popen) -> None:

@@ -29,7 +29,7 @@ class Watch:
     def __init__(self, say: Callable[[Sample], None]) -> None:
         self._say = say
         self._lock = Lock()
-        self._forget()
+        self._begin(at=inf)
         self._commanded = 0.0
         self._odometry = Odometry()
         self._picture: np.ndarray | None = None
@@ -48,7 +48,6 @@ class Watch:
         rospy.wait_for_service(f"{SIMULATOR}/reset", timeout=30)
         rospy.ServiceProxy(f"{SIMULATOR}/reset", Empty)()
         rospy.wait_for_message("/odom", Odometry, timeout=10)
-        self._forget()
         return rospy.wait_for_message("/odom", Odometry, timeout=10)
 
     def move_to(self, place: Odometry) -> None:
@@ -56,19 +55,21 @@ class Watch:
         pose = PoseWithCovarianceStamped(header=place.header)
         pose.pose.pose = place.pose.pose
         self._move.publish(pose)
-        rospy.sleep(0.2)  # the last clouds of the old place are still under way
-        self._forget()
+        rospy.sleep(0.3)  # the last clouds of the old place are still under way
 
     def approach(self, patience: float, goes_on: Callable[[], bool]) -> Approach:
         """Until the robot stands in Danger, touches something, `patience` [s] of simulated time are over or `goes_on` says no."""
+        self._begin()
         end = rospy.get_time() + patience
         while goes_on() and rospy.get_time() < end and not self._contacts and not self._stands():
             time.sleep(0.05)
         with self._lock:
+            self._begun_at = inf
             return Approach(tuple(self._samples), frozenset(self._contacts), dict(self._views))
 
-    def _forget(self) -> None:
+    def _begin(self, at: float | None = None) -> None:
         with self._lock:
+            self._begun_at = rospy.get_time() if at is None else at
             self._samples: list[Sample] = []
             self._contacts: set[str] = set()
             self._views: dict[str, np.ndarray] = {}
@@ -84,7 +85,10 @@ class Watch:
                 sample.zone == "Danger" and abs(sample.speed) < STANDING for sample in last)
 
     def _on_state(self, state: SafetyState) -> None:
-        sample = Sample(rospy.get_time(), state.zone_text, state.nearest, self._commanded, self._odometry.twist.twist.linear.x)
+        stamp = state.header.stamp.to_sec()
+        if stamp < self._begun_at:
+            return  # of before, or latched
+        sample = Sample(stamp, state.zone_text, state.nearest, self._commanded, self._odometry.twist.twist.linear.x)
         with self._lock:
             self._samples.append(sample)
             if self._picture is not None:
