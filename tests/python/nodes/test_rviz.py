@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a person sees in rviz, looked at: our configuration, on a virtual screen, with the whole stack running."""
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import time
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+ros = pytest.importorskip("safety_control_cloud.demo.stack")
+
+from matplotlib.image import imread  # noqa: E402
+
+PICTURE = Path(__file__).parents[3] / "build/rviz.png"  # kept: the README shows it
+WIDTH, HEIGHT = 1440, 900  # [px]
+VIEW = np.s_[int(0.08 * HEIGHT):int(0.88 * HEIGHT), int(0.34 * WIDTH):]  # of the screen: the 3D view, no icons
+PATIENCE = 60.0  # [s] for a busy computer that draws in software
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(not all(map(shutil.which, ("Xvfb", "import", "rviz", "roslaunch"))), reason="rviz or Xvfb is missing"),
+]
+
+
+@contextmanager
+def virtual_screen(log: Path):
+    """Gives the DISPLAY of a screen that nobody sees."""
+    reading, writing = os.pipe()
+    os.set_inheritable(writing, True)
+    command = ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten", "tcp"]
+    process = subprocess.Popen(command, pass_fds=[writing], stdout=log.open("w"), stderr=subprocess.STDOUT)
+    os.close(writing)
+    try:
+        with os.fdopen(reading) as number:
+            yield ":" + number.readline().strip()
+    finally:
+        process.terminate()
+        process.wait()
+
+
+def picture(path: Path) -> np.ndarray:
+    """(height, width, 3) bytes of the screen."""
+    subprocess.run(["import", "-window", "root", f"png24:{path}"], check=True)
+    return np.rint(imread(path)[..., :3] * 255).astype(np.uint8)
+
+
+def flat_green(screen: np.ndarray) -> int:
+    """How many pixels of the 3D view are exactly #00FF00."""
+    return int((screen[VIEW] == (0, 255, 0)).all(axis=-1).sum())
+
+
+def wooden(screen: np.ndarray) -> int:
+    """How many pixels of the 3D view have the cabinet's colour, which only the RGB cloud brings there."""
+    red, green, blue = (screen[VIEW][..., channel].astype(int) for channel in range(3))
+    return int(((red > 90) & (red > 1.3 * green) & (green > 1.2 * blue)).sum())
+
+
+def wait_for(what: str, path: Path, seen) -> np.ndarray:
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        screen = picture(path)
+        if seen(screen):
+            return screen
+        time.sleep(1.0)
+    pytest.fail(f"{what} was not to be seen within {PATIENCE} s: {path}")
+
+
+def test_rviz_shows_the_corridors_points_in_green_while_the_node_speaks_and_none_before(tmp_path, monkeypatch):
+    monkeypatch.setenv("LIBGL_ALWAYS_SOFTWARE", "1")
+    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path))
+    monkeypatch.setenv("ROS_MASTER_URI", "")  # put back afterwards
+    with virtual_screen(tmp_path / "xvfb.log") as display:
+        monkeypatch.setenv("DISPLAY", display)
+        with ros.launched("turtlebot_world.launch", [], tmp_path / "world.log"):
+            with ros.running(["roslaunch", "--wait", "safety_control_cloud", "rviz.launch"], tmp_path / "rviz.log"):
+                screen = wait_for("the coloured cloud", tmp_path / "silent.png", lambda screen: wooden(screen) > 500)
+                assert flat_green(screen) == 0
+                with ros.running(["roslaunch", "safety_control_cloud", "safety_control.launch"], tmp_path / "node.log"):
+                    screen = wait_for("the corridor's points", tmp_path / "speaking.png", lambda screen: flat_green(screen) > 20_000)
+    print(f"{flat_green(screen)} pixels of #00FF00")
+    PICTURE.parent.mkdir(exist_ok=True)
+    shutil.copy(tmp_path / "speaking.png", PICTURE)
