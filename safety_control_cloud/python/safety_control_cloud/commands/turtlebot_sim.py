@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 
 import rospy
 
-from ..nodes.turtlebot_sim import Options
+from ..nodes.turtlebot_sim import Options, TurtlebotSim
 from ..simulation.base import LIMITS
+from ..simulation.robot import BODY, GROUP
 from ..simulation.sensor import Xtion
+from ..simulation.turtlebot import TurtleBot
+from ..simulation.world import World
 
 
 def parser() -> argparse.ArgumentParser:
@@ -29,33 +31,25 @@ def parser() -> argparse.ArgumentParser:
 
 def main(argv: list[str]) -> None:
     arguments = parser().parse_args(rospy.myargv(argv)[1:])
-    if arguments.viewer:
-        os.environ["MUJOCO_GL"] = "glfw"  # the window and the camera must share one OpenGL
     rospy.init_node("turtlebot_sim")
     rospy.set_param("/use_sim_time", True)
-    _simulate(arguments)
-
-
-def _simulate(arguments: argparse.Namespace) -> None:
-    try:
-        from ..nodes.turtlebot_sim import TurtlebotSim
-        from ..simulation.gl import mujoco  # MUJOCO_GL is read here
-    except ModuleNotFoundError as missing:
-        raise SystemExit(f"turtlebot_sim: {missing}; scripts/setup installs it") from missing
-    from ..simulation.turtlebot import TurtleBot
-    from ..simulation.world import World
-
     xtion = Xtion(*arguments.size, rate=arguments.camera_rate)
     seed = None if arguments.no_noise else arguments.seed
     robot = TurtleBot(World.load(arguments.world, xtion), LIMITS[arguments.wheels], seed)
     simulator = TurtlebotSim(robot, Options(arguments.rate, arguments.depth_encoding, seed))
-    if not arguments.viewer:
+    if arguments.viewer:
+        _run_in_window(simulator, robot.world)
+    else:
         simulator.run()
-        return
-    import mujoco.viewer
 
-    with mujoco.viewer.launch_passive(robot.world.model, robot.world.data) as window:
-        window.opt.geomgroup[:] = 1
+
+def _run_in_window(simulator: TurtlebotSim, world: World) -> None:
+    import mujoco.viewer  # needs a display
+
+    with mujoco.viewer.launch_passive(world.model, world.data, show_left_ui=False, show_right_ui=False) as window:
+        window.opt.geomgroup[GROUP] = 1
+        window.cam.type, window.cam.trackbodyid = mujoco.mjtCamera.mjCAMERA_TRACKING, world.model.body(BODY).id
+        window.cam.distance, window.cam.azimuth, window.cam.elevation = 4.0, 25.0, -25.0
         simulator.run(window.sync)
 
 

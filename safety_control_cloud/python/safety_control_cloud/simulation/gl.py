@@ -4,6 +4,9 @@ import os
 
 os.environ.setdefault("MUJOCO_GL", "osmesa")  # draws without a display or a graphics card
 
-import mujoco  # noqa: E402
+try:
+    import mujoco
+except ModuleNotFoundError as missing:
+    raise ModuleNotFoundError(f"{missing}: scripts/setup installs MuJoCo into .venv/") from missing
 
 __all__ = ["mujoco"]

@@ -5,14 +5,19 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .base import Pose, Velocity
 from .mux import Mux
+from .sensor import Xtion, points
 from .turtlebot import TICK, TurtleBot
 from .world import Contact
+
+if TYPE_CHECKING:
+    from ..core import SafetyControl  # compiled; a drive may do without
 
 TELEOP = "Teleoperation"  # the mux's input that safety_control_cloud drives
 
@@ -29,6 +34,11 @@ class Moment:
     wanted: Velocity | None  # by the steering, upon this picture
     velocity: Velocity  # over the floor
     contacts: tuple[Contact, ...]  # since the last picture
+
+
+def steered_by(control: SafetyControl, xtion: Xtion) -> Steer:
+    """Drives as the node does: the compiled decision upon every picture."""
+    return lambda depth, now: Velocity(control.decide(points(depth, xtion), now=now).speed)
 
 
 def drive(robot: TurtleBot, steer: Steer, seconds: float, latency: float = 0.0, mux: Mux | None = None) -> Iterator[Moment]:
