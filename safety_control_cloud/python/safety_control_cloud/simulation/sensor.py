@@ -96,10 +96,10 @@ def fill_cloud(cloud: NDArray[np.void], depth: NDArray[np.float32], xtion: Xtion
 
 def fill_colour(cloud: NDArray[np.void], colour: NDArray[np.uint8]) -> None:
     """Write an image (height, width, 3) of red, green, blue into a cloud, as PCL packs it: 0x00RRGGBB in a float32."""
-    packed = cloud["rgb"].view(np.uint32)
-    np.left_shift(colour[..., 0], 16, out=packed, dtype=np.uint32)
-    packed |= colour[..., 1].astype(np.uint32) << 8
-    packed |= colour[..., 2]
+    octets = cloud.view(np.uint8).reshape(*cloud.shape, POINT.itemsize)
+    first = POINT.fields["rgb"][1]
+    for place, channel in enumerate((2, 1, 0)):  # the lowest byte, blue, comes first
+        octets[..., first + place] = colour[..., channel]
 
 
 def millimetres(depth: NDArray[np.float32]) -> NDArray[np.uint16]:
