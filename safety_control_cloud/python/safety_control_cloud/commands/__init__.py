@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command lines of scripts/: each parses its arguments and makes one call."""
+"""The command lines of the simulation's nodes: each parses its arguments and makes one call."""

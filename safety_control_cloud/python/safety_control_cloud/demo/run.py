@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,9 +13,10 @@ import rosgraph
 import rospy
 from rich.console import Console
 
+from ..processes import Process, ProcessError, process
+from ..ros_session import roscore
 from .picture import COLOURS, draw
 from .record import Approach, Sample
-from .stack import launched, running
 from .watch import Watch
 
 APPROACHES = 2  # as in the tutorial: it is moved back, and does it again
@@ -30,34 +32,44 @@ class Options:
 
 
 def run(options: Options) -> bool:
-    """Did the robot stand in Danger, having touched nothing, every time?"""
+    """Did the robot stand in Danger, having touched nothing, every time? Raises ProcessError if ROS does not come up."""
     options.folder.mkdir(parents=True, exist_ok=True)
     console = Console(highlight=False, soft_wrap=True)
-    arguments = [f"world:={options.world}", f"rviz:={str(options.rviz).lower()}"]
-    bag = [sys.executable, "-m", "safety_control_cloud.demo.bag", str(options.folder / "run.bag")]
-    with launched("demo.launch", arguments, options.folder / "roslaunch.log") as ros:
-        _join(lambda: ros.poll() is None)
-        with running(bag, options.folder / "bag.log"):
-            approaches = _drive(lambda: ros.poll() is None, options.patience, console)
+    with roscore(), _launched(options) as launch:
+        _join(launch)
+        with process([sys.executable, "-m", "safety_control_cloud.demo.bag", str(options.folder / "run.bag")]):
+            approaches = _drive(launch, options.patience, console)
         rospy.signal_shutdown("the demo is over")
     return _report(approaches, options, console)
 
 
-def _join(ros_runs: Callable[[], bool]) -> None:
+@contextmanager
+def _launched(options: Options) -> Iterator[Process]:
+    """The whole stack; what it says is kept in roslaunch.log."""
+    arguments = [f"world:={options.world}", f"rviz:={str(options.rviz).lower()}"]
+    launch = Process(["roslaunch", "safety_control_cloud", "demo.launch", *arguments])
+    try:
+        yield launch
+    finally:
+        launch.end()
+        (options.folder / "roslaunch.log").write_text(launch.output())
+
+
+def _join(launch: Process) -> None:
     """Become a node once roslaunch has said that time is simulated; rospy asks only once."""
     master = rosgraph.Master("/safety_demo")
     give_up = time.monotonic() + _START_TIMEOUT
-    while time.monotonic() < give_up and ros_runs():
+    while time.monotonic() < give_up and launch.exit_code is None:
         try:
             if master.getParam("/use_sim_time"):
                 rospy.init_node("safety_demo", disable_signals=True)
                 return
-        except (OSError, rosgraph.MasterException):
+        except rosgraph.MasterException:
             time.sleep(0.1)
-    raise RuntimeError("ROS did not come up; see roslaunch.log")
+    raise ProcessError("ROS did not come up; see roslaunch.log")
 
 
-def _drive(ros_runs: Callable[[], bool], patience: float, console: Console) -> list[Approach]:
+def _drive(launch: Process, patience: float, console: Console) -> list[Approach]:
     watch = Watch(lambda sample: console.print(_line(sample)))
     start = watch.reset()
     console.print("[dim]   time   zone           nearest   /mobile_base/commands/velocity   driven[/]")
@@ -66,7 +78,7 @@ def _drive(ros_runs: Callable[[], bool], patience: float, console: Console) -> l
         if turn:
             console.print("\n[bold]The robot is moved back, and does it again[/]")
             watch.move_to(start)
-        approaches.append(watch.approach(patience, ros_runs))
+        approaches.append(watch.approach(patience, lambda: launch.exit_code is None))
     return approaches
 
 

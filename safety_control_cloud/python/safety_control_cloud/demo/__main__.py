@@ -6,7 +6,8 @@ import argparse
 import sys
 from pathlib import Path
 
-from ..demo.run import Options, run
+from ..processes import end_on_sigterm
+from .run import Options, run
 
 
 def main(argv: list[str]) -> int:
@@ -15,11 +16,12 @@ def main(argv: list[str]) -> int:
         epilog="Ends with 0 only if the robot stood in Danger, having touched nothing, both times.")
     parser.add_argument("--world", default="cabinet", help="cabinet, closed_cabinet, playground, posts, hall, or an MJCF file (%(default)s)")
     parser.add_argument("--rviz", action="store_true", help="open rviz beside it")
-    parser.add_argument("--out", type=Path, default=Path("build/demo"), help="folder for the picture and the bag (%(default)s)")
+    parser.add_argument("--out", type=Path, default=Path("safety_demo"), help="folder for the picture and the bag")
     parser.add_argument("--patience", type=float, default=60.0, help="[s] a drive may take (%(default)s)")
-    arguments = parser.parse_args(argv[1:])
+    arguments = parser.parse_args(argv)
+    end_on_sigterm()
     return 0 if run(Options(arguments.world, arguments.out, arguments.rviz, arguments.patience)) else 1
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv))
+    sys.exit(main(sys.argv[1:]))
