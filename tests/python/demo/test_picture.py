@@ -11,7 +11,8 @@ from safety_control_cloud.demo.record import Approach, Sample
 def samples(start: float) -> tuple[Sample, ...]:
     ways = np.linspace(2.5, 0.48, 60)
     zones = ["Safe" if way > 1 else "Warning" if way > 0.5 else "Danger" for way in ways]
-    return tuple(Sample(start + 0.2 * turn, zone, float(way), 0.1, 0.1) for turn, (zone, way) in enumerate(zip(zones, ways)))
+    seen = enumerate(zip(zones, ways))
+    return tuple(Sample(start + 0.2 * turn, zone, float(way), 0.1, 0.1) for turn, (zone, way) in seen)
 
 
 def test_a_drive_becomes_a_picture(tmp_path):

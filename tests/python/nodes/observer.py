@@ -29,13 +29,13 @@ class Observer:
     def __init__(self) -> None:
         rospy.init_node("observer")
         self.states: list[SafetyState] = []
-        self.commands: list[tuple[float, Twist]] = []  # with the time [s] at which each reached the base
+        self.commands: list[Twist] = []  # as they reached the base
         self.wishes: list[Twist] = []  # of the node
         self.odometry = Odometry()
         self.holder = self.touched = ""
         self._pose = rospy.Publisher("/initialpose", PoseWithCovarianceStamped, queue_size=1)
         rospy.Subscriber("/safety_control_cloud/state", SafetyState, self.states.append)
-        rospy.Subscriber("/mobile_base/commands/velocity", Twist, lambda twist: self.commands.append((rospy.get_time(), twist)))
+        rospy.Subscriber("/mobile_base/commands/velocity", Twist, self.commands.append)
         rospy.Subscriber("/cmd_vel_mux/input/teleop", Twist, self.wishes.append)
         rospy.Subscriber("/odom", Odometry, lambda odometry: setattr(self, "odometry", odometry))
         rospy.Subscriber("/cmd_vel_mux/active", String, lambda name: setattr(self, "holder", name.data))

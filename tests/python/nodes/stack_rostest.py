@@ -68,11 +68,13 @@ class Stack(unittest.TestCase):
         self.assertEqual(depth.encoding, "32FC1")
         self.assertTrue(np.isfinite(np.frombuffer(depth.data, np.float32)).mean() > 0.5)
         self.assertEqual(rospy.wait_for_message("/camera/rgb/image_raw", Image, timeout=10).encoding, "rgb8")
-        self.assertAlmostEqual(rospy.wait_for_message("/camera/depth/camera_info", CameraInfo, timeout=10).K[0], 554.256, 2)
+        info = rospy.wait_for_message("/camera/depth/camera_info", CameraInfo, timeout=10)
+        self.assertAlmostEqual(info.K[0], 554.256, 2)
 
     def test_the_clouds_come_20_times_a_simulated_second(self):
         stamps = []
-        listener = rospy.Subscriber("/camera/depth/camera_info", CameraInfo, lambda info: stamps.append(info.header.stamp.to_sec()))
+        listener = rospy.Subscriber(
+            "/camera/depth/camera_info", CameraInfo, lambda info: stamps.append(info.header.stamp.to_sec()))
         self.seen.until("twenty pictures", lambda: len(stamps) > 20)
         listener.unregister()
         self.assertTrue(np.allclose(np.diff(stamps), 0.05))

@@ -26,7 +26,8 @@ PATIENCE = 60.0  # [s] for a busy computer that draws in software
 
 pytestmark = [
     pytest.mark.slow,
-    pytest.mark.skipif(not all(map(shutil.which, ("Xvfb", "import", "rviz", "roslaunch"))), reason="rviz or Xvfb is missing"),
+    pytest.mark.skipif(
+        not all(map(shutil.which, ("Xvfb", "import", "rviz", "roslaunch"))), reason="rviz or Xvfb is missing"),
 ]
 
 
@@ -93,7 +94,8 @@ def test_rviz_shows_the_corridors_points_in_green_while_the_node_speaks_and_none
             screen = wait_for("the coloured cloud", tmp_path / "silent.png", lambda screen: wooden(screen) > 500)
             assert flat_green(screen) == 0
             with launch("safety_control.launch"):
-                screen = wait_for("the corridor's points", tmp_path / "speaking.png", lambda screen: flat_green(screen) > 20_000)
+                screen = wait_for(
+                    "the corridor's points", tmp_path / "speaking.png", lambda screen: flat_green(screen) > 20_000)
     print(f"{flat_green(screen)} pixels of #00FF00")
     PICTURE.parent.mkdir(exist_ok=True)
     shutil.copy(tmp_path / "speaking.png", PICTURE)

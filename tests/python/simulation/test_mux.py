@@ -85,7 +85,8 @@ def test_a_table_is_refused_with_all_that_is_wrong_in_it():
     ]}
     with pytest.raises(ValueError) as refused:
         table_from(document)
-    for wrong in ("timeout must be above 0", "name 'a' is there 2", "topic 't'", "priority 1", "subscriber 2", "subscriber 3"):
+    for wrong in ("timeout must be above 0", "name 'a' is there 2", "topic 't'", "priority 1",
+                  "subscriber 2", "subscriber 3"):
         assert wrong in str(refused.value)
 
 

@@ -48,8 +48,10 @@ def test_both_robots_have_the_same_wheels_and_stand_on_them():
 
 
 def test_the_plates_of_both_robots_are_as_high():
-    heights = [numbers(visual.find("origin").get("xyz"))[2] for visual in URDF.iter("visual")
-               if (disc := visual.find("geometry/cylinder")) is not None and float(disc.get("radius")) == robot.PLATE_RADIUS]
+    plates = [visual for visual in URDF.iter("visual")
+              if (disc := visual.find("geometry/cylinder")) is not None
+              and float(disc.get("radius")) == robot.PLATE_RADIUS]
+    heights = [numbers(plate.find("origin").get("xyz"))[2] for plate in plates]
     assert np.add(heights, robot.BASE_LINK) == pytest.approx(robot.PLATES)
 
 

@@ -109,5 +109,6 @@ def test_a_ninth_box_takes_the_place_of_the_first():
 
 
 def test_worlds_from_text_may_use_the_scenery():
-    world = World.from_xml(f'<mujoco><include file="_scenery.xml"/><worldbody>{box("b", 2, 0, (0.1, 0.1, 0.1))}</worldbody></mujoco>')
+    thing = box("b", 2, 0, (0.1, 0.1, 0.1))
+    world = World.from_xml(f'<mujoco><include file="_scenery.xml"/><worldbody>{thing}</worldbody></mujoco>')
     assert world.clearance(5.0) == pytest.approx(2 - 0.1 - BODY_RADIUS, abs=1e-6)

@@ -12,18 +12,21 @@ from ..simulation.base import LIMITS
 from ..simulation.robot import BODY, GROUP
 from ..simulation.sensor import Xtion
 from ..simulation.turtlebot import TurtleBot
-from ..simulation.world import World
+from ..simulation.world import World, world_names
 
 
 def parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="turtlebot_sim", description=__doc__.split(": ", 1)[1])
-    parser.add_argument("--world", default="cabinet", help="cabinet, closed_cabinet, hall, playground, posts, or an MJCF file (%(default)s)")
-    parser.add_argument("--size", default="640x480", type=_size, help="of the camera's pictures [px] (%(default)s)")
-    parser.add_argument("--camera-rate", default=20.0, type=float, help="pictures a simulated second (%(default)s)")
-    parser.add_argument("--depth-encoding", default="32FC1", choices=("32FC1", "16UC1"), help="of the depth image (%(default)s)")
-    parser.add_argument("--wheels", default="driver", choices=sorted(LIMITS), help="the driver's acceleration limits, or Gazebo's wheels that obey at once (%(default)s)")
-    parser.add_argument("--rate", default=1.0, type=float, help="simulated seconds a real one; 0: as fast as it goes (%(default)s)")
-    parser.add_argument("--seed", default=0, type=int, help="of the depth's noise and the body's rocking (%(default)s)")
+    parser = argparse.ArgumentParser(
+        prog="turtlebot_sim", description=__doc__.split(": ", 1)[1],
+        formatter_class=argparse.ArgumentDefaultsHelpFormatter)
+    parser.add_argument("--world", default="cabinet", help=f"{', '.join(world_names())}, or an MJCF file")
+    parser.add_argument("--size", default="640x480", type=_size, help="of the camera's pictures [px]")
+    parser.add_argument("--camera-rate", default=20.0, type=float, help="pictures a simulated second; their distance is rounded to 10 ms")
+    parser.add_argument("--depth-encoding", default="32FC1", choices=("32FC1", "16UC1"), help="of the depth image")
+    parser.add_argument("--wheels", default="driver", choices=sorted(LIMITS),
+                        help="with the driver's acceleration limits, or obeying at once as in Gazebo")
+    parser.add_argument("--rate", default=1.0, type=float, help="simulated seconds a real one; 0: as fast as it goes")
+    parser.add_argument("--seed", default=0, type=int, help="of the depth's noise and the body's rocking")
     parser.add_argument("--no-noise", action="store_true", help="true depth and no rocking")
     parser.add_argument("--viewer", nargs="?", const=True, default=False, type=_yes, help="open MuJoCo's own window")
     return parser

@@ -14,7 +14,8 @@ def main(argv: list[str]) -> int:
     parser = argparse.ArgumentParser(
         prog="demo", description=__doc__.split(": ", 1)[1],
         epilog="Ends with 0 only if the robot stood in Danger, having touched nothing, both times.")
-    parser.add_argument("--world", default="cabinet", help="cabinet, closed_cabinet, playground, posts, hall, or an MJCF file (%(default)s)")
+    parser.add_argument("--world", default="cabinet",
+                        help="cabinet, closed_cabinet, playground, posts, hall, or an MJCF file (%(default)s)")
     parser.add_argument("--rviz", action="store_true", help="open rviz beside it")
     parser.add_argument("--out", type=Path, default=Path("safety_demo"), help="folder for the picture and the bag")
     parser.add_argument("--patience", type=float, default=60.0, help="[s] a drive may take (%(default)s)")

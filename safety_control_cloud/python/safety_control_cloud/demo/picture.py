@@ -62,17 +62,19 @@ def _draw_distance(axes: Axes, approaches: Sequence[Approach], origin: float) ->
     for approach, (times, values) in zip(approaches, nearest):
         axes.plot(times, values, color=_INK, linewidth=2)
         if approach.stood_at is not None:
-            axes.annotate(f"stands {approach.stood_at:.2f} m before it", (times[-1], values[-1]), xytext=(-16, 44), color=_INK,
-                          textcoords="offset points", ha="right", arrowprops={"arrowstyle": "->", "color": _INK})
+            axes.annotate(f"stands {approach.stood_at:.2f} m before it", (times[-1], values[-1]), xytext=(-16, 44),
+                          textcoords="offset points", ha="right", color=_INK,
+                          arrowprops={"arrowstyle": "->", "color": _INK})
     axes.set(ylabel="nearest obstacle [m]", ylim=(0, top))
     axes.tick_params(labelbottom=False)
 
 
 def _draw_speed(axes: Axes, approaches: Sequence[Approach], origin: float) -> None:
     for turn, approach in enumerate(approaches):
-        axes.step(*_series(approach, origin, "commanded"), where="post", color=_GREY, linewidth=2, linestyle=(0, (4, 2)),
-                  label="_" * bool(turn) + "commanded")
-        axes.plot(*_series(approach, origin, "speed"), color=_BLUE, linewidth=2, label="_" * bool(turn) + "driven")
+        hidden = "_" * bool(turn)  # matplotlib leaves such labels out: one entry a line is enough
+        axes.step(*_series(approach, origin, "commanded"), where="post", color=_GREY, linewidth=2,
+                  linestyle=(0, (4, 2)), label=hidden + "commanded")
+        axes.plot(*_series(approach, origin, "speed"), color=_BLUE, linewidth=2, label=hidden + "driven")
     axes.set(ylabel="speed [m/s]", xlabel="time [s]", ylim=(-0.01, 0.26))
     axes.legend(loc="upper right", frameon=False, ncol=2)
 

@@ -32,7 +32,10 @@ class Options:
 
 
 def run(options: Options) -> bool:
-    """Did the robot stand in Danger, having touched nothing, every time? Raises ProcessError if ROS does not come up."""
+    """Did the robot stand in Danger, having touched nothing, every time?
+
+    Raises ProcessError if ROS does not come up.
+    """
     options.folder.mkdir(parents=True, exist_ok=True)
     console = Console(highlight=False, soft_wrap=True)
     with roscore(), _launched(options) as launch:
@@ -84,7 +87,8 @@ def _drive(launch: Process, patience: float, console: Console) -> list[Approach]
 
 def _line(sample: Sample) -> str:
     zone = f"[bold {COLOURS.get(sample.zone, 'white')}]{sample.zone + ' zone':<12}[/]"
-    return f"{sample.time:6.2f} s  {zone}  {sample.nearest:6.2f} m   linear.x {sample.commanded:.1f} m/s{sample.speed:21.2f} m/s"
+    where, speeds = f"{sample.nearest:6.2f} m", f"linear.x {sample.commanded:.1f} m/s{sample.speed:21.2f} m/s"
+    return f"{sample.time:6.2f} s  {zone}  {where}   {speeds}"
 
 
 def _report(approaches: Sequence[Approach], options: Options, console: Console) -> bool:
@@ -100,4 +104,5 @@ def _report(approaches: Sequence[Approach], options: Options, console: Console) 
 def _verdict(approach: Approach) -> str:
     if approach.problem:
         return f"[bold red]{approach.problem}[/]"
-    return f"[bold green]{', '.join(approach.zones)}; stands {approach.stood_at:.2f} m before the obstacle and touched nothing[/]"
+    zones = ", ".join(approach.zones)
+    return f"[bold green]{zones}; stands {approach.stood_at:.2f} m before the obstacle and touched nothing[/]"

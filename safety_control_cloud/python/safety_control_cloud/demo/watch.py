@@ -58,7 +58,7 @@ class Watch:
         rospy.sleep(0.3)  # the last clouds of the old place are still under way
 
     def approach(self, patience: float, goes_on: Callable[[], bool]) -> Approach:
-        """Until the robot stands in Danger, touches something, `patience` [s] of simulated time are over or `goes_on` says no."""
+        """Until the robot stands in Danger or touches something; at most `patience` [s] of simulated time."""
         self._begin()
         end = rospy.get_time() + patience
         while goes_on() and rospy.get_time() < end and not self._contacts and not self._stands():

@@ -104,7 +104,7 @@ class TurtlebotSim:
     def _is_in_world(self, frame: str, tool: str) -> bool:
         if frame.lstrip("/") == messages.WORLD_FRAME:
             return True
-        rospy.logwarn("%s is understood in %s, not in '%s': set it as rviz's fixed frame", tool, messages.WORLD_FRAME, frame)
+        rospy.logwarn("%s is understood in %s, not in '%s': rviz's fixed frame", tool, messages.WORLD_FRAME, frame)
         return False
 
     def _obey(self) -> None:

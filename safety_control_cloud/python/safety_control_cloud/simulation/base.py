@@ -94,7 +94,7 @@ def moved(pose: Pose, velocity: Velocity, dt: float) -> Pose:
 def pitch_at(speed: float, phase: float) -> float:
     """[rad] The casters let the body rock while it drives; TF does not know, the camera does.
 
-    Gazebo gave the range only; that it rocks once per turn of the wheels, of which `phase` [rad] tells, is our assumption.
+    Gazebo gave the range only; that it rocks once per turn of the wheels, of which `phase` [rad] tells, is assumed.
     """
     return RESTING_PITCH + ROCKING * min(1.0, abs(speed) / ROCKING_FULL_AT) * sin(phase)
 
@@ -124,7 +124,7 @@ class Base:
         return sum(self.rolled) / 2 / WHEEL_RADIUS
 
     def next_pose(self, now: float, dt: float) -> Pose:
-        """Turn the wheels for `dt` up to `now` and say where they lead; the caller sets `pose`, as walls may forbid it."""
+        """Turn the wheels for `dt` up to `now` and say where they lead; the caller sets `pose`: walls may forbid it."""
         target = self.commanded if now - self._commanded_at <= COMMAND_TIMEOUT else Velocity()
         self.velocity = obeyed(self.velocity, target, self.limits, dt)
         left, right = wheel_speeds(self.velocity)

@@ -47,7 +47,7 @@ class Camera:
         return self._renderer.render()
 
     def _plain(self) -> None:
-        """Nothing drawn but what is solid and lit: marks and shadows cost time and are no part of what the Xtion sees."""
+        """Nothing drawn but solid things: marks are no part of what the Xtion sees, shadows cost time."""
         self._options = mujoco.MjvOption()
         self._options.sitegroup[:] = 0
         self._options.geomgroup[GROUP] = 0

@@ -41,7 +41,9 @@ def steered_by(control: SafetyControl, xtion: Xtion) -> Steer:
     return lambda depth, now: Velocity(control.decide(points(depth, xtion), now=now).speed)
 
 
-def drive(robot: TurtleBot, steer: Steer, seconds: float, latency: float = 0.0, mux: Mux | None = None) -> Iterator[Moment]:
+def drive(
+    robot: TurtleBot, steer: Steer, seconds: float, latency: float = 0.0, mux: Mux | None = None
+) -> Iterator[Moment]:
     """Yields a Moment for every picture; what the caller does to the world in between, happens there.
 
     `latency` [s] passes between a picture and its velocity's arrival at the mux.

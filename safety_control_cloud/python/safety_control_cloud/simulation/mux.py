@@ -70,7 +70,10 @@ def _problems_of(inputs: Iterable[Input]) -> list[str]:
 
 
 class Mux:
-    """Lets one input at a time through. On a timeout it publishes nothing: the base stops by itself. Time is an argument [s]."""
+    """Lets one input at a time through. On a timeout it says nothing: the base stops by itself.
+
+    Time is an argument [s].
+    """
 
     def __init__(self, inputs: Iterable[Input] = TURTLEBOT_INPUTS) -> None:
         self._inputs = {one.name: one for one in inputs}

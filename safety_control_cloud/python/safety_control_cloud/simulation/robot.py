@@ -57,7 +57,8 @@ def _add_hull(body: mujoco.MjsBody) -> None:
 
 def _add_looks(body: mujoco.MjsBody, xtion: Xtion) -> None:
     def add(kind: mujoco.mjtGeom, size, pos, colour, **turned) -> None:
-        body.add_geom(type=kind, size=size, pos=pos, rgba=colour, mass=0, group=GROUP, contype=0, conaffinity=0, **turned)
+        body.add_geom(
+            type=kind, size=size, pos=pos, rgba=colour, mass=0, group=GROUP, contype=0, conaffinity=0, **turned)
 
     cylinder, box = mujoco.mjtGeom.mjGEOM_CYLINDER, mujoco.mjtGeom.mjGEOM_BOX
     for side in (-1, 1):

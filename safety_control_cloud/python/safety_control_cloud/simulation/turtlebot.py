@@ -44,7 +44,7 @@ class TurtleBot:
         self.base.command(velocity, self.time)
 
     def step(self) -> None:
-        """One TICK. Nothing gives way to the robot: it stays, its wheels slipping, where going on would press it in deeper."""
+        """One TICK. Nothing gives way to the robot: it stays, wheels slipping, where going on would lead deeper in."""
         self._ticks += 1
         before, after = self.pose, self.base.next_pose(self.time, TICK)
         self.velocity = self.base.velocity

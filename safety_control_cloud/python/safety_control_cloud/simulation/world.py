@@ -42,7 +42,7 @@ def world_file(name: str | Path) -> Path:
 
 
 class World:
-    """Everything stands where it was last put: nothing falls or is pushed away. `mujoco.MjSpec` is taken over and changed."""
+    """Everything stands where it was last put: nothing falls or is pushed away. Takes the MjSpec over."""
 
     def __init__(self, spec: mujoco.MjSpec, xtion: Xtion = Xtion()) -> None:
         self.xtion = xtion
