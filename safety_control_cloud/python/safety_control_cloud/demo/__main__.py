@@ -6,7 +6,10 @@ import argparse
 import sys
 from pathlib import Path
 
-from ..processes import end_on_sigterm
+import rospy
+
+from ..processes import ProcessError, end_on_sigterm
+from ..simulation.world import world_file, world_names
 from .run import Options, run
 
 
@@ -14,14 +17,28 @@ def main(argv: list[str]) -> int:
     parser = argparse.ArgumentParser(
         prog="demo", description=__doc__.split(": ", 1)[1],
         epilog="Ends with 0 only if the robot stood in Danger, having touched nothing, both times.")
-    parser.add_argument("--world", default="cabinet",
-                        help="cabinet, closed_cabinet, playground, posts, hall, or an MJCF file (%(default)s)")
+    parser.add_argument("--world", default="cabinet", type=_world,
+                        help=f"{', '.join(world_names())}, or an MJCF file (%(default)s)")
     parser.add_argument("--rviz", action="store_true", help="open rviz beside it")
     parser.add_argument("--out", type=Path, default=Path("safety_demo"), help="folder for the picture and the bag")
     parser.add_argument("--patience", type=float, default=60.0, help="[s] a drive may take (%(default)s)")
     arguments = parser.parse_args(argv)
     end_on_sigterm()
-    return 0 if run(Options(arguments.world, arguments.out, arguments.rviz, arguments.patience)) else 1
+    try:
+        return 0 if run(Options(arguments.world, arguments.out, arguments.rviz, arguments.patience)) else 1
+    except (ProcessError, rospy.ROSException) as error:
+        print(f"demo: {error}; see {arguments.out / 'roslaunch.log'}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        return 130
+
+
+def _world(name: str) -> str:
+    """A user's file by its full path: roslaunch runs its nodes elsewhere."""
+    try:
+        return name if name in world_names() else str(world_file(name).resolve())
+    except FileNotFoundError as error:
+        raise argparse.ArgumentTypeError(str(error)) from error
 
 
 if __name__ == "__main__":

@@ -69,7 +69,7 @@ def _join(launch: Process) -> None:
                 return
         except rosgraph.MasterException:
             time.sleep(0.1)
-    raise ProcessError("ROS did not come up; see roslaunch.log")
+    raise ProcessError("ROS did not come up")
 
 
 def _drive(launch: Process, patience: float, console: Console) -> list[Approach]:
