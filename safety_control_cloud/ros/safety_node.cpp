@@ -102,7 +102,8 @@ void SafetyNode::publish(const Decision& decision) {
 }
 
 void SafetyNode::publish_markers(const Decision& decision) {
-  if (markers_.getNumSubscribers() == 0 || seconds_since(last_markers_) < markers_period) return;
+  const bool has_frame = camera_place_ || !header_.frame_id.empty();  // before the first cloud there may be none
+  if (!has_frame || markers_.getNumSubscribers() == 0 || seconds_since(last_markers_) < markers_period) return;
   markers_.publish(to_markers(decision, control_.settings(), header_));
   last_markers_ = ros::SteadyTime::now();
 }
