@@ -50,7 +50,7 @@ class Parameters(unittest.TestCase):
         self.check_zone_at(0.75, "Danger", danger_distance=0.8)
 
     def check_zone_at(self, distance, zone, **parameters):
-        rospy.set_param(NAME, {"source_timeout": 10.0, **parameters})
+        rospy.set_param(NAME, {"source_timeout": 10.0, "stamp_tolerance": 0, **parameters})
         states = Heard(NAME + "/state", SafetyState)
         with node("safety_control_node"), playing([wall_at(distance, 1)]):
             state = states.until(lambda state: state.cause_text == "SEEN")

@@ -19,7 +19,7 @@ DRIVE = [wall_at(1.5, (1 + n) * 100_000_000) for n in range(600)]
 class Shutdown(unittest.TestCase):
     def check_last_command_when(self, ended):
         commands = Heard("/cmd_vel_mux/input/teleop", Twist)
-        with node("safety_control_node") as running, playing(DRIVE):
+        with node("safety_control_node", "_stamp_tolerance:=0") as running, playing(DRIVE):
             commands.until(lambda command: command.linear.x == 0.2)
 
             ended(running)
