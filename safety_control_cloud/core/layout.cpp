@@ -77,7 +77,7 @@ Reading view_of(const Layout& layout, const std::uint8_t* bytes, std::size_t siz
   CloudView view;
   view.bytes = bytes;
   view.width = layout.width;
-  view.height = layout.height;
+  view.height = layout.width == 0 ? 0 : layout.height;  // four billion empty rows need no byte, and would take seconds
   view.point_step = layout.point_step;
   view.row_step = layout.row_step;
   view.offset = {x.offset, y.offset, z.offset};

@@ -45,6 +45,14 @@ TEST(Layout, CloudOfNoPointsIsReadable) {
   EXPECT_TRUE(std::holds_alternative<CloudView>(view_of(layout, nullptr, 0)));
 }
 
+TEST(Layout, FourBillionEmptyRowsAreNoRows) {
+  auto [layout, size] = well_formed_cloud();
+  layout.width = 0;
+  layout.height = std::numeric_limits<std::uint32_t>::max();
+  layout.row_step = 0;
+  EXPECT_EQ(std::get<CloudView>(view_of(layout, nullptr, 0)).height, 0u);
+}
+
 TEST(Layout, ForeignFieldsOfAnyTypeDoNotMatter) {
   auto [layout, size] = well_formed_cloud();
   layout.fields.push_back({"intensity", 4000000000u, 77, 0});
