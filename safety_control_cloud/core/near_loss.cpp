@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "point_reader.hpp"
 
@@ -15,6 +16,13 @@ constexpr std::size_t obstacle_share = 1000;
 constexpr float behind_slope = 0.02f;
 /// An obstacle that is seen this little farther than before has moved away, not vanished [m].
 constexpr double retreat = 0.1;
+
+/// Whether rows and columns mean neighbours, in counts that fit into 16 bits. One column is no picture: that is how some
+/// drivers say "not organised".
+bool is_picture(const CloudView& cloud) {
+  constexpr std::size_t most = std::numeric_limits<std::uint16_t>::max();
+  return cloud.width >= 2 && cloud.height >= 2 && cloud.width <= most && cloud.height <= most;
+}
 
 bool is_lost(std::uint16_t pixel) { return PixelMemory::is_near(pixel); }  // near, and without the flag `now`
 
@@ -30,7 +38,7 @@ void NearLoss::limit(const NearLossLimits& limits) {
 void NearLoss::forget() { *this = NearLoss(limits_); }
 
 PixelMemory* NearLoss::memory_for(const CloudView& cloud) {
-  if (limits_.distance <= 0.0 || cloud.height < 2) return nullptr;
+  if (limits_.distance <= 0.0 || !is_picture(cloud)) return nullptr;
   if (cloud.width != memory_.width || cloud.height != memory_.height) {
     // What was near is still there whatever the resolution: every pixel of the new one has to see past it.
     std::uint16_t nearest = PixelMemory::nothing;
@@ -126,7 +134,8 @@ std::optional<Loss> NearLoss::lost_obstacle(const Sight& sight) const {
 std::optional<Loss> NearLoss::judge_nearest(const CloudView& cloud, const Sight& sight, const Corridor& corridor,
                                             const Gaze& gaze) {
   if (sight.nearest && sight.nearest->distance() < limits_.distance) {
-    nearest_ = sight.nearest;
+    // What is too close to measure lies in no direction, so nothing could ever be seen behind it.
+    if (sight.nearest->distance() > 0.0) nearest_ = sight.nearest;
     return std::nullopt;
   }
   if (!nearest_) return std::nullopt;
