@@ -56,11 +56,12 @@ std::optional<Obstacle> nearest_in(const Cloud& inside) {
 }
 
 /// Brings the memory up to date; how many pixels have lost a near return in the corridor.
-std::size_t remember(const Cloud& placed, const Corridor& corridor, PixelMemory& memory) {
+std::size_t remember(const Cloud& cloud, const Cloud& placed, const Corridor& corridor, PixelMemory& memory) {
   std::size_t lost = 0;
   for (std::size_t i = 0; i < placed.size(); ++i) {
     std::uint16_t& pixel = memory.pixels[i];
-    const bool returned = std::isfinite(placed.points[i].z);
+    const auto [x, y, z] = std::tie(cloud.points[i].x, cloud.points[i].y, cloud.points[i].z);
+    const bool returned = is_return(x, y, z, corridor);  // whether or not its place is too far for a float
     if (returned) pixel = remembered(placed.points[i], corridor, memory.distance);
     const std::uint16_t code = PixelMemory::code_of(pixel);
     if (!returned && PixelMemory::is_near(code)) ++lost;
@@ -89,7 +90,7 @@ Sight passthrough(const CloudView& view, const Corridor& corridor, const Gaze& g
   const Cloud::Ptr obstacles = picked(*points, *inside);
   sight.nearest = corridor.min_points == 1 && sight.too_close == 0 ? nearest_in(*obstacles)
                                                                    : nearest_of(sight.too_close, *obstacles, corridor);
-  if (gaze.memory) sight.lost = remember(*points, corridor, *gaze.memory);
+  if (gaze.memory) sight.lost = remember(*cloud, *points, corridor, *gaze.memory);
   if (gaze.crop == Crop::Keep) sight.crop = picked(*cloud, *inside);
   return sight;
 }
