@@ -19,6 +19,9 @@ constexpr double markers_period = 0.1;  ///< [s] rviz needs no more
 constexpr double shortest_wait = 1e-3;  ///< [s] so that a timer that is due does not spin
 constexpr double recording_age = 60.0;  ///< [s] an older stamp is a recording's, not a slow camera's
 
+/// [s] Not ros::Time's own difference, which throws beyond 2^31 s: a stamp may be anything.
+double age_of(const std_msgs::Header& cloud) { return ros::Time::now().toSec() - cloud.stamp.toSec(); }
+
 double seconds_since(const ros::SteadyTime& then) { return (ros::SteadyTime::now() - then).toSec(); }
 
 Instant now() { return Instant{ros::SteadyTime::now().toSec(), ros::Time::now().toSec()}; }
@@ -27,7 +30,7 @@ Instant now() { return Instant{ros::SteadyTime::now().toSec(), ros::Time::now().
 const char* advice_for(const Decision& decision, const std_msgs::Header& cloud) {
   if (decision.cause != Cause::Stale && decision.cause != Cause::Future) return "";
   if (ros::Time::isSimTime() && ros::Time::now().isZero()) return " (use_sim_time is set and nobody publishes /clock)";
-  const bool recording = std::abs((ros::Time::now() - cloud.stamp).toSec()) > recording_age;
+  const bool recording = std::abs(age_of(cloud)) > recording_age;
   return recording ? " (a recording needs: rosparam set use_sim_time true, rosbag play --clock)" : "";
 }
 
@@ -61,14 +64,14 @@ void SafetyNode::on_cloud(const sensor_msgs::PointCloud2& cloud) {
   const Decision decision = decide(cloud);
   publish(decision);
   if (decision.sight.crop) output_.publish(to_output(*decision.sight.crop, cloud.header));
-  diagnostics_.on_cloud(decision, cloud.header, seconds_since(last_cloud_),
-                        (ros::Time::now() - cloud.header.stamp).toSec());
+  diagnostics_.on_cloud(decision, cloud.header, seconds_since(last_cloud_), age_of(cloud.header));
 }
 
 /// The one border where an exception becomes a decision: whatever went wrong, the robot stands.
 Decision SafetyNode::decide(const sensor_msgs::PointCloud2& cloud) {
-  const Origin origin{cloud.header.stamp.toSec(), placing_of(cloud.header)};
+  Origin origin{cloud.header.stamp.toSec()};
   try {
+    origin.placing = placing_of(cloud.header);
     const Crop crop = output_.getNumSubscribers() > 0 ? Crop::Keep : Crop::Skip;
     return control_.decide(view_of(cloud), origin, now(), crop);
   } catch (const std::exception& problem) {

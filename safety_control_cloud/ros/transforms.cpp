@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <stdexcept>
 #include <tuple>
 
 namespace safety_control_cloud {
@@ -17,7 +18,7 @@ geometry_msgs::TransformStamped lookup(const tf2_ros::Buffer& buffer, const std:
     return buffer.lookupTransform(target_frame, cloud.frame_id, cloud.stamp);
   } catch (const tf2::ExtrapolationException&) {
     const auto newest = buffer.lookupTransform(target_frame, cloud.frame_id, ros::Time(0));
-    const double late = (cloud.stamp - newest.header.stamp).toSec();
+    const double late = cloud.stamp.toSec() - newest.header.stamp.toSec();
     if (!(late >= 0.0 && late <= transform_tolerance)) throw;
     return newest;
   }
@@ -48,7 +49,7 @@ Placing to_placing(const geometry_msgs::Transform& cloud_in_target) {
 Placing CameraPlace::at(const std_msgs::Header& cloud) const {
   try {
     return to_placing(lookup(buffer_, target_frame_, cloud).transform);
-  } catch (const tf2::TransformException& problem) {
+  } catch (const std::runtime_error& problem) {  // tf2's own, and ros::Duration's for stamps that it cannot span
     return NoTransform{problem.what()};
   }
 }
