@@ -27,6 +27,8 @@ const char* name_of(Cause cause) {
       return "FROZEN";
     case Cause::NoTransform:
       return "NO_TRANSFORM";
+    case Cause::TwoSources:
+      return "TWO_SOURCES";
   }
   return "UNKNOWN";
 }

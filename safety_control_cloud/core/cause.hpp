@@ -18,6 +18,7 @@ enum class Cause : std::uint8_t {
   NearLoss = 8,      ///< something near stopped returning and nothing has been seen behind it
   Frozen = 9,        ///< frozen_clouds clouds with new stamps and the same content
   NoTransform = 10,  ///< target_frame is set and the camera's place in it is not known
+  TwoSources = 11,   ///< clouds of two publishers arrive in turn
 };
 
 const char* name_of(Cause cause);  ///< "SEEN", "NO_CLOUD", ...

@@ -36,6 +36,7 @@ struct Instant {
 struct Origin {
   double stamp = 0.0;  ///< [s] ROS time
   Placing placing = OpticalFrame{};
+  std::string source = {};  ///< who sent it
 };
 
 /// Decides how fast the robot may go, one cloud at a time. Needs no ROS and no clock: the time is an argument.
@@ -64,6 +65,7 @@ class SafetyControl {
   Decision decide_by(const Sight& sight, const std::optional<Loss>& loss, double now);
   Decision stop(Cause cause, std::string reason, double now);
   bool clock_went_back(double ros_now);
+  bool sources_take_turns(const std::string& source, double now);
 
   Settings settings_;
   Corridor corridor_;
@@ -72,6 +74,8 @@ class SafetyControl {
   FrozenWatch frozen_;
   std::optional<double> last_arrival_;  ///< [s] steady
   std::optional<double> last_ros_;      ///< [s] ROS time
+  std::string source_;                  ///< of the latest cloud
+  std::optional<double> last_turn_;     ///< [s] steady: when another source's cloud came before the last one's was old
   Decision last_;
 };
 

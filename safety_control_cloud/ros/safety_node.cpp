@@ -57,19 +57,20 @@ SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle)
 
 SafetyNode::~SafetyNode() { command_.publish(geometry_msgs::Twist()); }
 
-void SafetyNode::on_cloud(const sensor_msgs::PointCloud2& cloud) {
+void SafetyNode::on_cloud(const ros::MessageEvent<const sensor_msgs::PointCloud2>& arrival) {
+  const sensor_msgs::PointCloud2& cloud = *arrival.getConstMessage();
   ROS_INFO_ONCE("Point cloud arrived");
   last_cloud_ = ros::SteadyTime::now();
   header_ = cloud.header;
-  const Decision decision = decide(cloud);
+  const Decision decision = decide(cloud, arrival.getPublisherName());
   publish(decision);
   if (decision.sight.crop) output_.publish(to_output(*decision.sight.crop, cloud.header));
   diagnostics_.on_cloud(decision, cloud.header, seconds_since(last_cloud_), age_of(cloud.header));
 }
 
 /// The one border where an exception becomes a decision: whatever went wrong, the robot stands.
-Decision SafetyNode::decide(const sensor_msgs::PointCloud2& cloud) {
-  Origin origin{cloud.header.stamp.toSec()};
+Decision SafetyNode::decide(const sensor_msgs::PointCloud2& cloud, const std::string& source) {
+  Origin origin{cloud.header.stamp.toSec(), OpticalFrame{}, source};
   try {
     origin.placing = placing_of(cloud.header);
     const Crop crop = output_.getNumSubscribers() > 0 ? Crop::Keep : Crop::Skip;

@@ -6,6 +6,7 @@
 #include <std_srvs/Trigger.h>
 
 #include <memory>
+#include <string>
 
 #include "../core/safety_control.hpp"
 #include "diagnostics.hpp"
@@ -25,11 +26,11 @@ class SafetyNode {
   SafetyNode& operator=(const SafetyNode&) = delete;
 
  private:
-  void on_cloud(const sensor_msgs::PointCloud2& cloud);
+  void on_cloud(const ros::MessageEvent<const sensor_msgs::PointCloud2>& arrival);
   void on_quiet(const ros::SteadyTimerEvent&);
   bool on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& answer);
 
-  Decision decide(const sensor_msgs::PointCloud2& cloud);
+  Decision decide(const sensor_msgs::PointCloud2& cloud, const std::string& source);
   Placing placing_of(const std_msgs::Header& cloud) const;
   void publish(const Decision& decision);
   void publish_markers(const Decision& decision);

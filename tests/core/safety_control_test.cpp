@@ -171,6 +171,20 @@ TEST(SafetyControl, RobotStandsWithoutATransform) {
   EXPECT_EQ(decision.reason, "no base_link");
 }
 
+TEST(SafetyControl, RobotStandsWhileTwoSourcesTakeTurns) {
+  SafetyControl control{Settings{}};
+  const std::vector<Xyz> far = {{0.0f, 0.0f, 3.0f}};
+  const auto sent_by = [&](const char* source, double now) {
+    return control.decide(view_of(far), Origin{now, OpticalFrame{}, source}, Instant{now, now}).cause;
+  };
+  EXPECT_EQ(sent_by("camera", 1.00), Cause::Seen);
+  EXPECT_EQ(sent_by("bag", 1.02), Cause::TwoSources);
+  EXPECT_EQ(sent_by("camera", 1.05), Cause::TwoSources);
+  EXPECT_EQ(sent_by("camera", 1.10), Cause::TwoSources) << "the other's next cloud may be under way";
+  EXPECT_EQ(sent_by("camera", 1.60), Cause::Seen);
+  EXPECT_EQ(sent_by("camera started anew", 2.20), Cause::Seen) << "the old one counts as silent";
+}
+
 TEST(SafetyControl, FrozenCameraStopsTheRobotUntilTheContentChanges) {
   Settings settings;
   settings.frozen_clouds = 3;

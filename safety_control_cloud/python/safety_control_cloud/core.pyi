@@ -31,6 +31,7 @@ class Cause:
     NEAR_LOSS: Cause
     FROZEN: Cause
     NO_TRANSFORM: Cause
+    TWO_SOURCES: Cause
     name: str
     def __int__(self) -> int: ...
 
