@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What happens to the robot when its processes are stopped, ended, killed and started again."""
+import os
+import signal
+import subprocess
+import sys
+import xmlrpc.client
+from pathlib import Path
+
+import pytest
+import rosgraph
+from robot import AGAIN, NODE, START, after, robot_with
+from scenes import hall, wall
+
+from safety_control_cloud.processes import process
+
+LAUNCH = """
+<launch>
+  <node pkg="safety_control_cloud" type="safety_control_node" name="safety_control_cloud" respawn="true"/>
+</launch>
+"""
+RESPAWN = 5.0  # [s] in which roslaunch notices and the node is there again
+
+
+def test_a_node_that_was_stopped_and_goes_on_trusts_nothing_from_before(robot):
+    robot.process.send(signal.SIGSTOP)
+    robot.keeps_silent(2.0)
+    robot.camera.changes()
+    robot.process.send(signal.SIGCONT)
+    assert robot.first_command().linear.x == 0.0
+    robot.drives()
+
+
+def test_an_obstacle_that_came_while_the_node_was_stopped_is_never_driven_at(robot):
+    robot.process.send(signal.SIGSTOP)
+    robot.camera.show(hall(wall(0.45)))
+    robot.keeps_silent(2.0)
+    robot.camera.changes()
+    robot.process.send(signal.SIGCONT)
+    robot.stops("SEEN", within=AGAIN)
+    assert {command.linear.x for _, command in after(robot.camera.changed_at, robot.commands)} == {0.0}
+    robot.camera.show(hall())
+    robot.drives()
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda number: number.name)
+def test_the_last_command_of_a_node_that_is_ended_is_zero(robot, number):
+    robot.process.send(number)
+    assert robot.process.wait(5.0) == 0, robot.process.output()
+    assert robot.commands.until_silence()[-1].linear.x == 0.0
+
+
+def test_a_node_that_is_killed_is_started_again_by_roslaunch_and_begins_with_zero(master, tmp_path):
+    launch = tmp_path / "respawn.launch"
+    launch.write_text(LAUNCH)
+    with process(["roslaunch", str(launch)]) as roslaunch, robot_with(roslaunch, hall()) as robot:
+        robot.drives(within=START)
+        first = pid_of(NODE)
+        robot.camera.changes()
+        os.kill(first, signal.SIGKILL)
+        assert robot.first_command(within=RESPAWN).linear.x == 0.0
+        robot.drives(within=RESPAWN + AGAIN)
+        assert pid_of(NODE) != first
+
+
+def test_a_robot_whose_ros_master_dies_still_stops_and_drives():
+    result = subprocess.run(
+        [sys.executable, Path(__file__).with_name("lost_master.py")], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        text=True, timeout=120)
+    assert result.returncode == 0, result.stdout
+
+
+def pid_of(node):
+    proxy = xmlrpc.client.ServerProxy(rosgraph.Master("/test_lives").lookupNode(node))
+    return proxy.getPid("/test_lives")[2]
