@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A minute of fuzzing: SAFETY_CONTROL_FUZZ=600 makes it ten. The corpus stays in build/fuzz/corpus, so that the next run goes on."""
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = ROOT / "build" / "fuzz"
+SECONDS = int(os.environ.get("SAFETY_CONTROL_FUZZ", "60"))
+PYTHON = "/usr/bin/python3"  # ROS's own, see scripts/setup
+
+
+def run(*command, **options):
+    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **options)
+
+
+@pytest.fixture(scope="module")
+def programs(tmp_path_factory):
+    """The folder of the fuzzer and of what writes its seeds."""
+    if shutil.which("clang++") is None:
+        pytest.skip("clang is not installed (apt install clang libclang-rt-14-dev)")
+    source = tmp_path_factory.mktemp("fuzz") / "nothing.cpp"
+    source.write_text('extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }')
+    linked = run("clang++", "-fsanitize=fuzzer,address", source, "-o", source.with_suffix(""))
+    if linked.returncode != 0:
+        pytest.skip("clang has no libFuzzer (apt install libclang-rt-14-dev): " + linked.stdout)
+    configure = run(
+        "cmake", "-S", ROOT, "-B", BUILD, "-DCMAKE_BUILD_TYPE=RelWithDebInfo", "-DCMAKE_CXX_COMPILER=clang++",
+        "-DSAFETY_CONTROL_FUZZ=ON", "-DSAFETY_CONTROL_SANITIZE=address,undefined", "-DCATKIN_ENABLE_TESTING=OFF",
+        f"-DPython3_EXECUTABLE={PYTHON}", f"-DPYTHON_EXECUTABLE={PYTHON}",
+        env={**os.environ, "PATH": "/usr/bin:" + os.environ["PATH"]})
+    assert configure.returncode == 0, configure.stdout
+    build = run("cmake", "--build", BUILD, "--target", "decide_fuzz", "fuzz_seeds", "-j2")
+    assert build.returncode == 0, build.stdout
+    return BUILD / "devel" / "lib" / "safety_control_cloud"
+
+
+@pytest.mark.slow
+def test_no_input_breaks_a_promise_of_the_decision(programs, tmp_path):
+    corpus, seeds = BUILD / "corpus", tmp_path / "seeds"
+    corpus.mkdir(exist_ok=True)
+    seeds.mkdir()
+    assert run(programs / "fuzz_seeds", seeds).returncode == 0
+    fuzzing = run(
+        programs / "decide_fuzz", f"-max_total_time={SECONDS}", "-timeout=10", "-max_len=8192", "-rss_limit_mb=3000",
+        "-print_final_stats=1", f"-artifact_prefix={BUILD}/", corpus, seeds, timeout=SECONDS + 120)
+    print("\n".join(line for line in fuzzing.stdout.splitlines() if "DONE" in line or "stat::" in line))
+    assert fuzzing.returncode == 0, fuzzing.stdout[-4000:]
