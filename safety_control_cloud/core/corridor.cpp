@@ -6,11 +6,92 @@
 #include <vector>
 
 #include "point_reader.hpp"
+#include "scan.hpp"
 
 namespace safety_control_cloud {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// The value that has `rank` others before it when all are in order; infinity if there are not so many.
+float ranked(std::vector<float> values, std::size_t rank) {
+  if (rank >= values.size()) return infinity;
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+std::vector<float> depths_of(const Cloud& cloud) {
+  std::vector<float> depths(cloud.size());
+  std::transform(cloud.begin(), cloud.end(), depths.begin(), [](const Point& point) { return point.z; });
+  return depths;
+}
+
+/// The first point at distance z [m], of which there is one.
+Obstacle first_at(const Cloud& cloud, float z) {
+  return {*std::find_if(cloud.begin(), cloud.end(), [&](const Point& point) { return point.z == z; })};
+}
+
+/// Calls visit(x, y, z) for the points inside a run, in the cloud's frame.
+template <class Visit>
+void for_each_inside(const Run& run, const Corridor& corridor, const Gaze& gaze, Visit visit) {
+  const Inside inside = inside_of(run, corridor, gaze);
+  with_reader(run.points, [&](auto reader) {
+    for (std::size_t i = 0; i < inside.size; ++i) {
+      reader(run.points.bytes + inside.columns[i] * run.points.point_step, visit);
+    }
+  });
+}
+
+/// scan(), and each run's points inside while the run is still in the cache.
+Counts scan_and_crop(const Runs& runs, const Corridor& corridor, const Gaze& gaze, float* nearest, Cloud& crop) {
+  Counts all;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const Counts counts = scan(runs, i, i + 1, corridor, gaze, nearest);
+    all += counts;
+    if (counts.inside == 0) continue;
+    for_each_inside(runs[i], corridor, gaze, [&](float x, float y, float z) { crop.points.emplace_back(x, y, z); });
+  }
+  crop.width = static_cast<std::uint32_t>(crop.size());
+  crop.height = 1;
+  return all;
+}
+
+/// The points among which the `rank`-th nearest is, in the cloud's order, taken from few runs: from those that come
+/// nearer than the rank-th of the runs' nearest, of which there are at most `rank`, and from the first that comes just
+/// as near.
+Cloud candidates_in(const Runs& runs, const std::vector<float>& nearest, float farthest, const Corridor& corridor,
+                    const Gaze& gaze) {
+  Cloud candidates;
+  bool first = farthest < infinity;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const bool just_as_near = first && nearest[i] == farthest;
+    if (!just_as_near && !(nearest[i] < farthest)) continue;
+    if (just_as_near) first = false;
+    for_each_inside(runs[i], corridor, gaze, [&](float x, float y, float z) {
+      const Point point = placed(x, y, z, gaze);
+      if (point.z <= farthest) candidates.points.push_back(point);
+    });
+  }
+  return candidates;
+}
+
+/// nearest_of() without a list of all points inside.
+std::optional<Obstacle> nearest_in(const Runs& runs, const std::vector<float>& nearest, const Counts& counts,
+                                   const Corridor& corridor, const Gaze& gaze) {
+  if (counts.too_close >= corridor.min_points) return Obstacle{Point(0.0f, 0.0f, 0.0f)};
+  const std::size_t rank = corridor.min_points - counts.too_close - 1;
+  if (rank >= counts.inside) return std::nullopt;
+
+  const float farthest = ranked(nearest, rank);
+  const Cloud candidates = candidates_in(runs, nearest, farthest, corridor, gaze);
+  return first_at(candidates, std::min(farthest, ranked(depths_of(candidates), rank)));
+}
+
+}  // namespace
 
 bool is_too_close(float x, float y, float z, const Corridor& corridor, const Gaze& gaze) {
-  if (z != -std::numeric_limits<float>::infinity()) return false;
+  if (z != -infinity) return false;
   if (gaze.placement) return true;
   const bool left_or_right = std::isfinite(x) && !corridor.spans(x);
   const bool above_or_below = std::isfinite(y) && (y < corridor.y_min || y > corridor.y_max);
@@ -28,48 +109,22 @@ std::optional<Obstacle> nearest_of(std::size_t too_close, const Cloud& inside, c
   if (too_close >= corridor.min_points) return Obstacle{Point(0.0f, 0.0f, 0.0f)};
   const std::size_t rank = corridor.min_points - too_close - 1;
   if (rank >= inside.size()) return std::nullopt;
-
-  std::vector<float> depths(inside.size());
-  std::transform(inside.begin(), inside.end(), depths.begin(), [](const Point& point) { return point.z; });
-  const auto ranked = depths.begin() + static_cast<std::ptrdiff_t>(rank);
-  std::nth_element(depths.begin(), ranked, depths.end());
-  return Obstacle{*std::find_if(inside.begin(), inside.end(), [&](const Point& point) { return point.z == *ranked; })};
+  return first_at(inside, ranked(depths_of(inside), rank));
 }
 
 Sight look(const CloudView& cloud, const Corridor& corridor, const Gaze& gaze) {
+  const Runs runs(cloud);
+  std::vector<float> nearest(runs.size());
+  const Cloud::Ptr crop(gaze.crop == Crop::Keep ? new Cloud : nullptr);
+  const Counts counts = crop ? scan_and_crop(runs, corridor, gaze, nearest.data(), *crop)
+                             : scan(runs, 0, runs.size(), corridor, gaze, nearest.data());
   Sight sight;
-  Cloud inside;  // in the corridor's axes, for the min_points-th of them
-  Cloud::Ptr crop(gaze.crop == Crop::Keep ? new Cloud : nullptr);
-  Point nearest(0.0f, 0.0f, std::numeric_limits<float>::infinity());
-  std::uint16_t* pixel = gaze.memory ? gaze.memory->pixels.data() : nullptr;
-
-  for_each_point(cloud, [&](float x, float y, float z) {
-    std::uint16_t* const memory = pixel ? pixel++ : nullptr;
-    if (is_too_close(x, y, z, corridor, gaze)) ++sight.too_close;
-    if (!is_return(x, y, z, corridor)) {
-      if (!memory) return;
-      *memory = PixelMemory::code_of(*memory);
-      sight.lost += PixelMemory::is_near(*memory);
-      return;
-    }
-    ++sight.returns;
-    const Point point = placed(x, y, z, gaze);
-    if (memory) {
-      *memory = static_cast<std::uint16_t>(remembered(point, corridor, gaze.memory->distance) | PixelMemory::now);
-    }
-    if (!is_inside(point, corridor)) return;
-    ++sight.inside;
-    if (point.z < nearest.z) nearest = point;
-    if (corridor.min_points > 1) inside.push_back(point);
-    if (crop) crop->push_back(Point(x, y, z));
-  });
-
+  sight.nearest = nearest_in(runs, nearest, counts, corridor, gaze);
+  sight.inside = counts.inside;
+  sight.too_close = counts.too_close;
+  sight.returns = counts.returns;
   sight.total = cloud.size();
-  if (corridor.min_points > 1 || sight.too_close > 0) {
-    sight.nearest = nearest_of(sight.too_close, inside, corridor);
-  } else if (sight.inside > 0) {
-    sight.nearest = Obstacle{nearest};
-  }
+  sight.lost = counts.lost;
   sight.crop = crop;
   return sight;
 }

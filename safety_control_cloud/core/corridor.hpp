@@ -68,7 +68,9 @@ bool is_too_close(float x, float y, float z, const Corridor& corridor, const Gaz
 inline Point placed(float x, float y, float z, const Gaze& gaze) {
   return gaze.placement ? (*gaze.placement)(x, y, z) : Point(x, y, z);
 }
-inline bool is_inside(const Point& point, const Corridor& corridor) { return corridor.holds(point) && point.z > 0.0f; }
+inline bool is_inside(const Point& point, const Corridor& corridor) {
+  return corridor.holds(point) && point.z > 0.0f && std::isfinite(point.z);  // a far point may overflow on its way here
+}
 
 /// What a pixel remembers of a return at this place.
 std::uint16_t remembered(const Point& point, const Corridor& corridor, float near_distance);

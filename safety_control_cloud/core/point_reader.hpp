@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -30,25 +31,38 @@ float read_coordinate(const std::uint8_t* from) {
   return static_cast<float>(value);
 }
 
-template <class T, bool Swapped, class Visit>
-void for_each_point_of(const CloudView& view, Visit& visit) {
-  for (std::size_t row = 0; row < view.height; ++row) {
-    const std::uint8_t* at = view.bytes + row * view.row_step;
-    for (std::size_t column = 0; column < view.width; ++column, at += view.point_step) {
-      visit(read_coordinate<T, Swapped>(at + view.offset[0]), read_coordinate<T, Swapped>(at + view.offset[1]),
-            read_coordinate<T, Swapped>(at + view.offset[2]));
-    }
+/// Calls visit(x, y, z) for the point that begins at a place in memory.
+template <class T, bool Swapped>
+struct PointReader {
+  std::array<std::size_t, 3> offset;
+
+  template <class Visit>
+  void operator()(const std::uint8_t* point, Visit& visit) const {
+    visit(read_coordinate<T, Swapped>(point + offset[0]), read_coordinate<T, Swapped>(point + offset[1]),
+          read_coordinate<T, Swapped>(point + offset[2]));
+  }
+};
+
+/// Calls use(reader) with the PointReader for the view's layout, so that the layout is decided once, outside the loop.
+template <class Use>
+void with_reader(const CloudView& view, Use use) {
+  if (view.scalar == Scalar::Float64) {
+    view.swapped ? use(PointReader<double, true>{view.offset}) : use(PointReader<double, false>{view.offset});
+  } else {
+    view.swapped ? use(PointReader<float, true>{view.offset}) : use(PointReader<float, false>{view.offset});
   }
 }
 
-/// Calls visit(x, y, z) for every point, row by row. The layout is decided once, outside the loop.
+/// Calls visit(x, y, z) for every point, row by row.
 template <class Visit>
 void for_each_point(const CloudView& view, Visit visit) {
-  if (view.scalar == Scalar::Float64) {
-    view.swapped ? for_each_point_of<double, true>(view, visit) : for_each_point_of<double, false>(view, visit);
-  } else {
-    view.swapped ? for_each_point_of<float, true>(view, visit) : for_each_point_of<float, false>(view, visit);
-  }
+  if (view.width == 0) return;  // however many rows of nothing there are
+  with_reader(view, [&](auto reader) {
+    for (std::size_t row = 0; row < view.height; ++row) {
+      const std::uint8_t* at = view.bytes + row * view.row_step;
+      for (std::size_t column = 0; column < view.width; ++column, at += view.point_step) reader(at, visit);
+    }
+  });
 }
 
 }  // namespace safety_control_cloud

@@ -9,6 +9,7 @@
 
 #include "../core/passthrough.hpp"
 #include "../core/safety_control.hpp"
+#include "../core/scan.hpp"
 
 namespace py = pybind11;
 namespace core = safety_control_cloud;
@@ -176,6 +177,8 @@ void bind_clouds(py::module& module) {
              py::arg("crop") = false);
   module.def("passthrough", &look<core::passthrough>, py::arg("cloud"), py::arg("settings") = core::Settings{},
              py::arg("crop") = false);
+  module.def("instruction_sets", &core::instruction_sets);
+  module.def("use_instruction_set", &core::use_instruction_set, py::arg("name") = "");
 }
 
 void bind_results(py::module& module) {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One pass == PCL == numpy, on random clouds of every layout."""
 from dataclasses import dataclass, field
-from typing import Optional, Tuple
+from typing import Callable, Iterator, Optional, Tuple
 
 import numpy as np
 import pytest
@@ -83,9 +83,9 @@ scenes = st.builds(
     Scene,
     seed=st.integers(0, 2**32 - 1),
     height=st.integers(0, 7),
-    width=st.integers(0, 70),
+    width=st.integers(0, 70) | st.integers(1000, 2100),
     odd_share=st.sampled_from([0.0, 0.02, 0.3, 1.0]),
-    min_points=st.sampled_from([1, 1, 2, 5]),
+    min_points=st.sampled_from([1, 1, 2, 5, 50]),
     layout=st.sampled_from(LAYOUTS),
 )
 
@@ -111,17 +111,46 @@ def facts_of(sight: core.Sight) -> Tuple[object, ...]:
     return (sight.nearest.point if sight.nearest else None, sight.inside, sight.too_close, sight.returns, sight.total)
 
 
-@given(scenes)
-@settings(max_examples=1500, deadline=None, print_blob=True)
-def test_one_pass_and_pcl_and_numpy_see_the_same(scene):
+def looks() -> Iterator[Tuple[str, Callable[..., core.Sight]]]:
+    """Every way to look, with its name; the last of the instruction sets is the best again."""
+    yield "PCL", core.passthrough
+    for name in [*core.instruction_sets(), ""]:
+        core.use_instruction_set(name)
+        yield f"one pass {name}", core.look
+
+
+def assert_all_see_the_same(scene: Scene) -> None:
     points = scene.points()
     cloud = scene.layout.cloud(points, np.random.default_rng(scene.seed))
     *expected, crop = numpy_sight(points, scene.parameters())
-    for look in (core.look, core.passthrough):
+    for name, look in looks():
         sight = look(cloud, scene.parameters(), crop=True)
-        assert facts_of(sight) == tuple(expected), look.__name__
-        assert sight.crop.tobytes() == crop.tobytes(), look.__name__
-        assert facts_of(look(cloud, scene.parameters())) == tuple(expected), "asking for the crop changes the answer"
+        assert facts_of(sight) == tuple(expected), (name, scene)
+        assert sight.crop.tobytes() == crop.tobytes(), (name, scene)
+        assert facts_of(look(cloud, scene.parameters())) == tuple(expected), (name, "without the crop", scene)
+
+
+@given(scenes)
+@settings(max_examples=500, deadline=None, print_blob=True)
+def test_one_pass_with_every_instruction_set_and_pcl_and_numpy_see_the_same(scene):
+    assert_all_see_the_same(scene)
+
+
+@pytest.mark.slow
+def test_not_one_of_ten_thousand_random_clouds_is_seen_differently():
+    for seed in range(10_000):
+        random = np.random.default_rng(seed)
+        height, width = (int(random.integers(limit)) for limit in random.permutation([8, 90]))
+        if seed % 20 == 0:
+            height, width = 2, int(random.integers(1000, 2100))  # more than a run
+        odd_share, min_points = random.choice([0.0, 0.02, 0.3, 1.0]), int(random.choice([1, 1, 2, 5, 50]))
+        assert_all_see_the_same(Scene(seed, height, width, odd_share, min_points, LAYOUTS[seed % len(LAYOUTS)]))
+
+
+@pytest.fixture(autouse=True)
+def _best_instruction_set():
+    yield
+    core.use_instruction_set("")
 
 
 @given(scenes)

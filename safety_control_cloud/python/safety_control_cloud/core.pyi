@@ -162,6 +162,15 @@ def look(cloud: Union[Cloud, np.ndarray], settings: Settings = ..., crop: bool =
 def passthrough(cloud: Union[Cloud, np.ndarray], settings: Settings = ..., crop: bool = False) -> Sight:
     """The same Sight by pcl::PassThrough and pcl::getMinMax3D. Raises ValueError if the cloud is unreadable."""
 
+def instruction_sets() -> List[str]:
+    """What look() can use on this machine, best first, as "AVX2" or "NEON"; "PORTABLE" is plain C++."""
+
+def use_instruction_set(name: str = "") -> None:
+    """For tests and benchmarks: look() uses this one from now on, or the best again for "".
+
+    Raises ValueError if the machine lacks it. Not to be called while another thread looks.
+    """
+
 def zone_at(distance: float, settings: Settings = ...) -> Zone:
     """The zone of an obstacle at this distance [m]; NaN is DANGER."""
 
