@@ -105,18 +105,18 @@ HWY_INLINE Mask is_too_close(const Points& points, const Walls& walls, bool anyw
   return hn::And(at_minus_infinity, hn::And(x_maybe, y_maybe));
 }
 
-/// What pixels remember of returns at these places.
+/// What pixels remember of returns at these places, with the flag `now`.
 HWY_INLINE Integer remembered(const Points& placed, const Walls& walls, Float near_distance) {
-  const hn::RebindToSigned<Floats> whole;
   const Mask near = hn::And(hn::Gt(placed.z, all(0.0f)), hn::Lt(placed.z, near_distance));
+  const Mask in_sight = hn::And(walls.span(placed), hn::Ge(placed.y, walls.y_min));
   const Mask below = hn::Gt(placed.y, walls.y_max);
-  const Mask kept = hn::And(hn::And(near, walls.span(placed)), hn::Ge(placed.y, walls.y_min));
-  const Mask kept_below = hn::And(hn::And(near, walls.span(placed)), below);
   const Float per_metre = hn::IfThenElse(below, all(PixelMemory::ground_per_metre), all(PixelMemory::near_per_metre));
-  const Integer rounded_down = hn::BitCast(Integers(), hn::ConvertTo(whole, hn::Mul(placed.z, per_metre)));
-  const Mask any = hn::Or(kept, kept_below);
-  const Integer offset = hn::IfThenElseZero(hn::RebindMask(Integers(), below), all_of(PixelMemory::ground_zero));
-  return hn::IfThenElse(hn::RebindMask(Integers(), any), hn::Add(rounded_down, offset), all_of(PixelMemory::elsewhere));
+  const Integer first = hn::IfThenElse(hn::RebindMask(Integers(), below),
+                                       all_of(PixelMemory::now | PixelMemory::ground_zero), all_of(PixelMemory::now));
+  const auto rounded_down = hn::ConvertTo(hn::RebindToSigned<Floats>(), hn::Mul(placed.z, per_metre));
+  const Integer code = hn::Add(first, hn::BitCast(Integers(), rounded_down));
+  return hn::IfThenElse(hn::RebindMask(Integers(), hn::And(near, in_sight)), code,
+                        all_of(PixelMemory::now | PixelMemory::elsewhere));
 }
 
 /// How many lanes were set in all masks.

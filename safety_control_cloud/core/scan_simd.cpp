@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // scan() with Highway: this file is compiled once for every instruction set, and the best one of the machine is used.
-// Nothing here branches on what the points are, so that the time does not depend on the scene; only a run with a point at
-// -Inf (REP 117) is gone through once more, from the cache.
+// Nothing here branches on what the points are, so that the time does not depend on the scene; only a run with a point
+// at -Inf (REP 117) is gone through once more, from the cache.
 #include <limits>
 #include <stdexcept>
 
@@ -64,9 +64,12 @@ struct Remembering : Counting<Placing> {
     this->note(points, placed, returning);
 
     const Integer kept = hn::And(pixels.at(column, size), all_of(PixelMemory::nothing));
-    const Integer seen = hn::Or(remembered(placed, this->walls, pixels.near_distance), all_of(PixelMemory::now));
+    const Integer seen = remembered(placed, this->walls, pixels.near_distance);
     const Integer pixel = hn::IfThenElse(hn::RebindMask(Integers(), returning), seen, kept);
-    lost.add(hn::RebindMask(Floats(), hn::Lt(pixel, all_of(PixelMemory::ground_zero))));  // `now` is more than that
+    // Not near or `now` is all that is more. Signed, because x86 compares nothing else so fast.
+    const hn::RebindToSigned<Integers> compared;
+    const auto is_lost = hn::Lt(hn::BitCast(compared, pixel), hn::Set(compared, PixelMemory::ground_zero));
+    lost.add(hn::RebindMask(Floats(), is_lost));
     pixels.put(pixel, column, size);
   }
 };
