@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What it costs to see the nearest obstacle in a cloud, beside only reading its bytes and beside PCL.
+#include <benchmark/benchmark.h>
+
+#include <memory>
+
+#include "../../safety_control_cloud/core/corridor.hpp"
+#include "read_bytes.hpp"
+#include "scenes.hpp"
+#include "tutorial.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+/// "fresh": a cloud that is in no cache, as a camera's next cloud is; "cached": the same cloud again and again.
+constexpr std::size_t more_than_any_cache = std::size_t{256} << 20;  // [byte]
+
+/// Copies of a cloud, one after the other.
+class Clouds {
+ public:
+  Clouds(const Picture& picture, bool fresh)
+      : picture_(picture), fresh_(fresh), count_(fresh ? more_than_any_cache / picture.size() + 2 : 1) {
+    const auto bytes = bytes_of(picture);
+    memory_.reserve(count_ * bytes.size());
+    for (std::size_t i = 0; i < count_; ++i) memory_.insert(memory_.end(), bytes.begin(), bytes.end());
+  }
+
+  bool are(const Picture& picture, bool fresh) const { return fresh == fresh_ && picture == picture_; }
+  const std::uint8_t* next() { return memory_.data() + turn_++ % count_ * picture_.size(); }
+
+ private:
+  Picture picture_;
+  bool fresh_;
+  std::size_t count_, turn_ = 0;
+  std::vector<std::uint8_t> memory_;
+};
+
+/// The latest ones stay, because the library calls every benchmark several times.
+Clouds& clouds_of(const Picture& picture, bool fresh) {
+  static std::unique_ptr<Clouds> latest;
+  if (!latest || !latest->are(picture, fresh)) {
+    latest.reset();
+    latest = std::make_unique<Clouds>(picture, fresh);
+  }
+  return *latest;
+}
+
+void read(benchmark::State& state, const Picture& picture, bool fresh) {
+  Clouds& clouds = clouds_of(picture, fresh);
+  for (auto _ : state) benchmark::DoNotOptimize(read_bytes(clouds.next(), picture.size()));
+}
+
+void one_pass(benchmark::State& state, const Picture& picture, bool fresh) {
+  Clouds& clouds = clouds_of(picture, fresh);
+  for (auto _ : state) benchmark::DoNotOptimize(look(view_of(picture, clouds.next()), Corridor{}));
+}
+
+/// With the memory of what came near, and the corridor in another frame.
+void one_pass_remembering(benchmark::State& state, const Picture& picture, bool placed) {
+  Clouds& clouds = clouds_of(picture, true);
+  PixelMemory memory;
+  memory.distance = 0.75f;
+  memory.width = picture.width;
+  memory.height = picture.height;
+  memory.pixels.assign(picture.width * picture.height, PixelMemory::nothing);
+  const Placement placement;
+  Gaze gaze;
+  gaze.memory = &memory;
+  if (placed) gaze.placement = &placement;
+  for (auto _ : state) benchmark::DoNotOptimize(look(view_of(picture, clouds.next()), Corridor{}, gaze));
+}
+
+sensor_msgs::PointCloud2 message_of(const Picture& picture) {
+  sensor_msgs::PointCloud2 message;
+  message.width = static_cast<std::uint32_t>(picture.width);
+  message.height = static_cast<std::uint32_t>(picture.height);
+  message.point_step = static_cast<std::uint32_t>(picture.point_step);
+  message.row_step = message.width * message.point_step;
+  for (const char* name : {"x", "y", "z"}) {
+    sensor_msgs::PointField field;
+    field.name = name;
+    field.offset = static_cast<std::uint32_t>(message.fields.size() * sizeof(float));
+    field.datatype = sensor_msgs::PointField::FLOAT32;
+    field.count = 1;
+    message.fields.push_back(field);
+  }
+  message.data = bytes_of(picture);
+  return message;
+}
+
+template <float (*Nearest)(const sensor_msgs::PointCloud2&)>
+void by_pcl(benchmark::State& state, const Picture& picture) {
+  const auto message = message_of(picture);
+  for (auto _ : state) benchmark::DoNotOptimize(Nearest(message));
+}
+
+void add(const Picture& picture) {
+  const std::string what = "/" + std::to_string(picture.width) + "x" + std::to_string(picture.height) + "/step_" +
+                           std::to_string(picture.point_step) + "/" + picture.scene + "/nan_" +
+                           std::to_string(std::lround(100.0 * picture.nan_share));
+  const auto add_as = [&](const std::string& name, auto run) {
+    benchmark::RegisterBenchmark((name + what).c_str(), run)->Unit(benchmark::kMillisecond);
+  };
+  for (const bool fresh : {true, false}) {
+    const std::string suffix = fresh ? "_fresh" : "_cached";
+    add_as("read" + suffix, [=](benchmark::State& state) { read(state, picture, fresh); });
+    add_as("one_pass" + suffix, [=](benchmark::State& state) { one_pass(state, picture, fresh); });
+    if (!fresh) continue;
+    add_as("near_loss", [=](benchmark::State& state) { one_pass_remembering(state, picture, false); });
+    add_as("near_loss_placed", [=](benchmark::State& state) { one_pass_remembering(state, picture, true); });
+  }
+  add_as("pcl_indices", [=](benchmark::State& state) { by_pcl<pcl_with_indices>(state, picture); });
+  add_as("tutorial", [=](benchmark::State& state) { by_pcl<tutorial>(state, picture); });
+}
+
+void add_all() {
+  using Size = std::pair<std::size_t, std::size_t>;
+  for (const auto& [width, height] : {Size{320, 240}, Size{640, 480}, Size{1280, 720}, Size{4096, 3072}}) {
+    for (const std::size_t point_step : {12, 16, 20, 32}) {
+      for (const char* scene : {"wall_0.6m", "wall_2m", "mixed"}) {
+        for (const double nan_share : {0.0, 0.3}) add({width, height, point_step, nan_share, scene});
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace safety_control_cloud
+
+int main(int argc, char** argv) {
+  safety_control_cloud::add_all();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+}
