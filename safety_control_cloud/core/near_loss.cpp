@@ -17,8 +17,8 @@ constexpr float behind_slope = 0.02f;
 /// An obstacle that is seen this little farther than before has moved away, not vanished [m].
 constexpr double retreat = 0.1;
 
-/// Whether rows and columns mean neighbours, in counts that fit into 16 bits. One column is no picture: that is how some
-/// drivers say "not organised".
+/// Whether rows and columns mean neighbours, in counts that fit into 16 bits. One column is no picture: that is how
+/// some drivers say "not organised".
 bool is_picture(const CloudView& cloud) {
   constexpr std::size_t most = std::numeric_limits<std::uint16_t>::max();
   return cloud.width >= 2 && cloud.height >= 2 && cloud.width <= most && cloud.height <= most;
