@@ -5,16 +5,19 @@
     robot.stops("BLIND")
     robot.camera.show(hall())
     robot.drives()
+
+SAFETY_CONTROL_NODE names another executable of the node, say one that is built with a sanitizer.
 """
 from __future__ import annotations
 
+import os
 import resource
 import signal
 import sys
 import time
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, Callable, Iterator, List, Optional, Tuple
+from typing import Any, Callable, ContextManager, Iterator, List, Optional, Tuple
 
 import rospy
 from camera import Camera, Clock
@@ -25,7 +28,7 @@ from listening import Heard, eventually, is_sending  # noqa: F401 (the last two 
 from scenes import View, hall
 
 from safety_control_cloud.msg import SafetyState
-from safety_control_cloud.processes import Process
+from safety_control_cloud.processes import Process, process
 from safety_control_cloud.ros_session import node
 
 NODE = "/safety_control_cloud"
@@ -131,13 +134,18 @@ def driving_robot(
     At the end the node must obey Ctrl-C, unless it has ended before.
     """
     arguments = [f"_{name}:={value}" for name, value in parameters.items()]
-    with node("safety_control_node", *arguments) as process, robot_with(process, view or hall(), clock) as robot:
+    with node_under_test(*arguments) as running, robot_with(running, view or hall(), clock) as robot:
         started = time.monotonic() - robot.camera.changed_at + START
         robot.drives(within=started) if cause == "SEEN" else robot.stops(cause, within=started)
         yield robot
-        if process.exit_code is None:
-            process.send(signal.SIGINT)
-            assert process.wait(10.0) == 0, process.output()
+        if running.exit_code is None:
+            running.send(signal.SIGINT)
+            assert running.wait(10.0) == 0, running.output()
+
+
+def node_under_test(*arguments: str) -> ContextManager[Process]:
+    chosen = os.environ.get("SAFETY_CONTROL_NODE")
+    return process([chosen, *arguments]) if chosen else node("safety_control_node", *arguments)
 
 
 @contextmanager

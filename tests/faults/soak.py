@@ -44,11 +44,13 @@ def through_node(clouds: int) -> Iterator[int]:
     from visualization_msgs.msg import MarkerArray
 
     from safety_control_cloud.msg import SafetyState
-    from safety_control_cloud.ros_session import node, roscore
+    from robot import node_under_test
+
+    from safety_control_cloud.ros_session import roscore
 
     answers: "queue.Queue[SafetyState]" = queue.Queue()
     messages = [cloud_of(points) for points in pictures()]
-    with roscore(), node("safety_control_node") as process:
+    with roscore(), node_under_test() as process:
         rospy.init_node("soak", disable_signals=True, disable_rosout=True)
         rospy.Subscriber("/safety_control_cloud/state", SafetyState, answers.put, tcp_nodelay=True)
         for topic, kind in [("/output", PointCloud2), ("/safety_control_cloud/markers", MarkerArray),
