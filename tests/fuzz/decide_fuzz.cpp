@@ -101,7 +101,8 @@ void require_safe(const Decision& decision, const Settings& settings) {
   require(has_looked || (decision.speed == 0.0 && decision.zone == Zone::Danger), "in doubt the robot stands");
   require(!decision.reason.empty(), "every decision has a reason");
   if (!has_looked || !decision.nearest) return;
-  require(decision.zone <= zone_at(decision.nearest->distance(), settings.limits), "no zone is better than its obstacle");
+  require(decision.zone <= zone_at(decision.nearest->distance(), settings.limits),
+          "no zone is better than its obstacle");
   if (decision.sight.crop) require(decision.sight.crop->size() == decision.sight.inside, "the crop is what is inside");
 }
 

@@ -57,7 +57,8 @@ void write(const std::string& path, const Choice& choice, Steps steps) {
   recording(choice);
   for (Step& step : steps) travel(recording, step);
   std::ofstream(path, std::ios::binary)
-      .write(reinterpret_cast<const char*>(recording.bytes.data()), static_cast<std::streamsize>(recording.bytes.size()));
+      .write(reinterpret_cast<const char*>(recording.bytes.data()),
+             static_cast<std::streamsize>(recording.bytes.size()));
 }
 
 void write_all(const std::string& folder) {
