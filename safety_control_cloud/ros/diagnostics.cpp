@@ -39,7 +39,7 @@ double Durations::quantile(double share) const {
 }
 
 Diagnostics::Diagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
-    : updater_(handle, private_handle) {
+    : updater_(handle, private_handle, private_handle.getNamespace()) {
   updater_.setHardwareID("depth camera");
   updater_.add("safety", this, &Diagnostics::report);
 }

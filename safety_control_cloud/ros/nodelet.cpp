@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <nodelet/nodelet.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <memory>
+
+#include "safety_node.hpp"
+
+namespace safety_control_cloud {
+
+/// The node beside the camera's driver in one process: a cloud arrives without being copied.
+/// Parameters that are unfit to drive with keep it from loading.
+class SafetyControlNodelet : public nodelet::Nodelet {
+  void onInit() override { node_ = std::make_unique<SafetyNode>(getNodeHandle(), getPrivateNodeHandle()); }
+
+  std::unique_ptr<SafetyNode> node_;
+};
+
+}  // namespace safety_control_cloud
+
+PLUGINLIB_EXPORT_CLASS(safety_control_cloud::SafetyControlNodelet, nodelet::Nodelet)
