@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Who says how fast the robot may go: the compiled core as the node calls it, or the tutorial's algorithm."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..simulation.sensor import Xtion, points
+from .scenario import XTION, Scenario
+
+if TYPE_CHECKING:
+    from ..core import Decision
+
+METHODS = ("tutorial", "ours")
+_EPOCH = 1000.0  # [s] of ROS time when a drive begins
+
+
+@dataclass(frozen=True)
+class Verdict:
+    zone: str  # Safe, Warning or Danger
+    speed: float  # [m/s] forward
+    cause: str
+
+
+class Decider(Protocol):
+    repeats: float | None  # [s] after which the last verdict is said again; None: only upon clouds
+
+    def decide(self, depth: NDArray[np.float32], stamp: float, now: float) -> Verdict:
+        """For a picture [m] taken at `stamp` by the camera's clock, arriving at `now` [s]."""
+
+    def without_cloud(self, now: float) -> Verdict:
+        """What holds at `now` [s] while no cloud comes."""
+
+
+class Ours:
+    """The node's decision and its watchdog."""
+
+    def __init__(self, settings: dict[str, float], xtion: Xtion = XTION) -> None:
+        from .. import core  # compiled; the tutorial's method does without
+
+        self._xtion = xtion
+        parameters = core.Settings(**settings)
+        self._control = core.SafetyControl(parameters)
+        self.repeats: float | None = 1 / parameters.publish_rate
+
+    def decide(self, depth: NDArray[np.float32], stamp: float, now: float) -> Verdict:
+        cloud = points(depth, self._xtion)
+        return _verdict(self._control.decide(cloud, now=now, stamp=_EPOCH + stamp, ros_now=_EPOCH + now))
+
+    def without_cloud(self, now: float) -> Verdict:
+        return _verdict(self._control.without_cloud(now, ros_now=_EPOCH + now))
+
+
+class Tutorial:
+    """PassThrough y, PassThrough x, getMinMax3D: where the crop is empty, its minimum is 3.4e38, and that is Safe."""
+
+    repeats: float | None = None
+
+    def __init__(self, xtion: Xtion = XTION) -> None:
+        self._xtion = xtion
+
+    def decide(self, depth: NDArray[np.float32], stamp: float, now: float) -> Verdict:
+        x, y, z = np.moveaxis(points(depth, self._xtion), -1, 0)
+        inside = (y >= np.float32(-0.25)) & (y <= np.float32(0.20)) & (x >= np.float32(-0.30)) & (x <= np.float32(0.30))
+        nearest = z[inside].min(initial=np.finfo(np.float32).max)
+        if nearest > 1.0:
+            return Verdict("Safe", 0.2, "SEEN")
+        return Verdict("Warning", 0.1, "SEEN") if nearest > 0.5 else Verdict("Danger", 0.0, "SEEN")
+
+    def without_cloud(self, now: float) -> Verdict:
+        raise AssertionError("the tutorial's node has no watchdog")
+
+
+def decider_for(method: str, scenario: Scenario) -> Decider:
+    """One of METHODS."""
+    return Ours(dict(scenario.settings)) if method == "ours" else Tutorial()
+
+
+def _verdict(decision: Decision) -> Verdict:
+    return Verdict(decision.zone.name.capitalize(), decision.speed, decision.cause.name)

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the families draw with."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...simulation.base import Pose
+from ...simulation.sensor import Xtion
+from ..things import Path, Thing, wall
+
+if TYPE_CHECKING:
+    from ..camera_faults import CameraFaults
+    from ..scenario import Turn
+
+CAMERA_X, CAMERA_Y, CAMERA_Z = Xtion().mount  # [m] in base_footprint, and in the world while the robot is at its start
+CORRIDOR = (CAMERA_Y - 0.30, CAMERA_Y + 0.30)  # [m] right and left of it, in the world
+
+
+@dataclass(frozen=True)
+class Draft:
+    """Of a Scenario: what a family says of it. None is left to the Scenario's own default."""
+
+    things: tuple[Thing, ...]
+    start: Pose | None = None
+    seconds: float | None = None
+    faults: CameraFaults | None = None
+    turns: tuple[Turn, ...] | None = None
+    settings: tuple[tuple[str, float], ...] | None = None
+    limit: str | None = None
+
+
+class Draw:
+    """Random numbers; those with a name are kept as facts for the report."""
+
+    def __init__(self, random: np.random.Generator) -> None:
+        self._random = random
+        self._facts: list[tuple[str, float]] = []
+
+    @property
+    def facts(self) -> tuple[tuple[str, float], ...]:
+        return tuple(self._facts)
+
+    def between(self, low: float, high: float, name: str = "") -> float:
+        value = float(self._random.uniform(low, high))
+        if name:
+            self._facts.append((name, round(value, 4)))
+        return value
+
+    def sign(self) -> int:
+        return 1 if self._random.random() < 0.5 else -1
+
+    def chance(self, share: float) -> bool:
+        return bool(self._random.random() < share)
+
+    def one_of(self, *choices):
+        return choices[int(self._random.integers(len(choices)))]
+
+
+def background(draw: Draw, nearest: float = 2.5) -> tuple[Thing, ...]:
+    """A wall behind it all at `nearest` [m] or more, or open space beyond the camera's range."""
+    if draw.chance(0.3):
+        return ()
+    return (wall("background", draw.between(nearest, nearest + 2.0), yaw=draw.between(-0.3, 0.3)),)
+
+
+def legs(draw: Draw, waypoints: tuple[tuple[float, float, float], ...], heading: float) -> tuple[Thing, ...]:
+    """Two legs of a person that walks along `waypoints` (time [s], x, y [m]), turned to `heading` [rad]."""
+    diameter, apart = draw.between(0.09, 0.15, "leg [m]"), draw.between(0.10, 0.16)
+    dx, dy = -np.sin(heading) * apart, np.cos(heading) * apart
+    made = []
+    for side, name in ((-0.5, "right_leg"), (0.5, "left_leg")):
+        moved = tuple((time, x + side * dx, y + side * dy) for time, x, y in waypoints)
+        path = Path(moved, stride=0.15, phase=pi * (side > 0))
+        made.append(Thing(name, Pose(), (diameter, diameter, 0.85), round=True, path=path))
+    return tuple(made)

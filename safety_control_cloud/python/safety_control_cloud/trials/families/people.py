@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Somebody on two legs."""
+from __future__ import annotations
+
+from math import pi
+
+from .drawing import CAMERA_X, Draft, Draw, background, legs
+
+
+def _crosses(draw: Draw) -> Draft:
+    """From side to side ahead of the robot, at 0.3 to 1.5 m/s."""
+    side, speed = draw.sign(), draw.between(0.3, 1.5, "speed [m/s]")
+    x, begins = draw.between(0.5, 1.8, "distance [m]"), draw.between(0.5, 4.0)
+    way = ((begins, x, -side * 2.0), (begins + 4.0 / speed, x, side * 2.0))
+    return Draft((*legs(draw, way, side * pi / 2), *background(draw, 3.5)))
+
+
+def _walks_up(draw: Draw) -> Draft:
+    """Toward the robot, and stops 0.2 to 0.4 m before the camera, or as near as its body lets them."""
+    begins, speed = draw.between(0.5, 2.5), draw.between(0.4, 1.2, "speed [m/s]")
+    stops = max(draw.between(0.2, 0.4, "from the camera [m]") + CAMERA_X, 0.178 + 0.10)
+    y = draw.between(-0.12, 0.12)
+    met = begins * 0.2 * 0.8 + 0.15  # [m] that the robot may have driven until they meet
+    way = ((begins, 3.0, y), (begins + (3.0 - stops - met) / speed, stops + met, y))
+    return Draft((*legs(draw, way, pi), *background(draw, 4.0)))
+
+
+def _walks_up_and_leaves(draw: Draw) -> Draft:
+    """Stands before the robot for a while, and goes away to the side."""
+    begins, speed = draw.between(0.2, 1.0), draw.between(0.5, 1.2, "speed [m/s]")
+    near, y, side = draw.between(0.45, 0.75, "distance [m]"), draw.between(-0.1, 0.1), draw.sign()
+    there = begins + (2.5 - near) / speed
+    leaves = there + draw.between(1.0, 3.0)
+    way = ((begins, 2.5, y), (there, near, y), (leaves, near, y), (leaves + 2.0 / speed, near + 0.2, y + side * 2.0))
+    return Draft((*legs(draw, way, pi), *background(draw, 3.5)), seconds=18.0)
+
+
+def _stands(draw: Draw) -> Draft:
+    """Two legs that do not move."""
+    x, y = draw.between(0.9, 2.0, "distance [m]"), draw.between(-0.12, 0.12)
+    return Draft((*legs(draw, ((0.0, x, y),), draw.between(-pi, pi)), *background(draw, 3.0)))
+
+
+FAMILIES = {
+    "person_crosses": _crosses, "person_walks_up": _walks_up, "person_walks_up_and_leaves": _walks_up_and_leaves,
+    "person_stands": _stands,
+}
