@@ -18,6 +18,9 @@ _CORRIDOR = "true_corridor"
 _HALF_WIDTH = 0.305  # [m] the corridor's 0.30 and the camera's noise
 _LOW, _HIGH = 0.09, 0.57  # [m] above the floor: y in [-0.25, 0.20] and what the pitch makes of it
 _UNSEEN = 4  # MuJoCo's camera does not draw this group
+# No textures and no buffer for shadows, which the camera does not draw: making the renderer takes a tenth of the time.
+_SCENERY = '<visual><headlight ambient="0.5 0.5 0.5"/><quality shadowsize="0"/></visual>'
+_FLOOR = '<geom name="floor" type="plane" size="0 0 1" rgba="0.62 0.61 0.58 1"/>'
 _HIDES = 0.95  # a picture nearer than this share of another has something before it
 
 
@@ -98,4 +101,4 @@ def _mjcf(scenario: Scenario) -> str:
         f'size="{half}" contype="0" conaffinity="0" group="{GROUP}"/></body>'
     )
     bodies = "".join(thing.mjcf for thing in scenario.things)
-    return f'<mujoco><include file="_scenery.xml"/><worldbody>{corridor}{bodies}</worldbody></mujoco>'
+    return f"<mujoco>{_SCENERY}<worldbody>{_FLOOR}{corridor}{bodies}</worldbody></mujoco>"

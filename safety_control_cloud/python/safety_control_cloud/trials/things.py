@@ -41,7 +41,8 @@ class Path:
             return x, y
         dx, dy = xs[-1] - xs[0], ys[-1] - ys[0]
         way = hypot(dx, dy) or 1.0
-        swing = self.stride * sin(2 * np.pi * hypot(x - xs[0], y - ys[0]) / self.step + self.phase)
+        ease = min(1.0, (time - times[0]) / 0.3, (times[-1] - time) / 0.3)  # the feet come together at either end
+        swing = ease * self.stride * sin(2 * np.pi * hypot(x - xs[0], y - ys[0]) / self.step + self.phase)
         return x + swing * dx / way, y + swing * dy / way
 
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from math import pi
 
-from .drawing import CAMERA_X, Draft, Draw, background, legs
+from ...simulation.robot import BODY_RADIUS
+from .drawing import Draft, Draw, background, legs
 
 
 def _crosses(draw: Draw) -> Draft:
@@ -16,12 +17,12 @@ def _crosses(draw: Draw) -> Draft:
 
 
 def _walks_up(draw: Draw) -> Draft:
-    """Toward the robot, and stops 0.2 to 0.4 m before the camera, or as near as its body lets them."""
+    """Toward the robot, and stops 0.2 to 0.4 m before where it would be had it not slowed down."""
     begins, speed = draw.between(0.5, 2.5), draw.between(0.4, 1.2, "speed [m/s]")
-    stops = max(draw.between(0.2, 0.4, "from the camera [m]") + CAMERA_X, 0.178 + 0.10)
-    y = draw.between(-0.12, 0.12)
-    met = begins * 0.2 * 0.8 + 0.15  # [m] that the robot may have driven until they meet
-    way = ((begins, 3.0, y), (begins + (3.0 - stops - met) / speed, stops + met, y))
+    gap, y = draw.between(0.2, 0.4, "from the hull [m]"), draw.between(-0.12, 0.12)
+    reach = BODY_RADIUS + 0.08 + gap  # [m] from the robot's middle to the leg's
+    there = (3.0 + speed * begins - reach) / (speed + 0.2)  # [s] 3 - speed (t - begins) = 0.2 t + reach
+    way = ((begins, 3.0, y), (there, 3.0 - speed * (there - begins), y))
     return Draft((*legs(draw, way, pi), *background(draw, 4.0)))
 
 
