@@ -101,7 +101,7 @@ bool is_too_close(float x, float y, float z, const Corridor& corridor, const Gaz
 std::uint16_t remembered(const Point& point, const Corridor& corridor, float near_distance) {
   const bool near = point.z > 0.0f && point.z < near_distance;
   if (!near || !corridor.spans(point.x)) return PixelMemory::elsewhere;
-  if (point.y > corridor.y_max) return PixelMemory::ground_code(point.z);
+  if (point.y > corridor.y_max) return PixelMemory::ground_code(point.y);
   return point.y >= corridor.y_min ? PixelMemory::near_code(point.z) : PixelMemory::elsewhere;
 }
 

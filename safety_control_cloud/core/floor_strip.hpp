@@ -9,15 +9,17 @@
 namespace safety_control_cloud {
 
 /// The near floor, in the lowest rows of an organised cloud: what stands in a pixel column nearer than it hides it.
-/// It is found in the memory itself: rows, from the lowest up, with near returns below the corridor. How far the floor
-/// lies in a row is the farthest such return; what lies clearly nearer is the foot of something.
+/// It is found in the memory itself: rows, from the lowest up, with near returns below the corridor. How low the floor
+/// lies in a row is the lowest such return; what lies clearly higher is the foot of something. A row in which all lie
+/// higher than the floor of another shows feet alone: the strip ends there.
 class FloorStrip {
  public:
-  /// Of one pixel column, the pixels of the strip that returned at some time.
+  /// Of one pixel column, the pixels of the strip.
   struct Column {
     std::uint16_t shown = 0;   ///< the floor, or something beyond it, is seen now
-    std::uint16_t hidden = 0;  ///< it is not
-    std::uint16_t blank = 0;   ///< of the hidden ones, those that return nothing
+    std::uint16_t hidden = 0;  ///< it was seen, or something before it, and now it is not
+    std::uint16_t foot = 0;    ///< of the hidden ones, those that return something nearer
+    std::uint16_t blank = 0;   ///< return nothing, and did at some time or have such on both sides
   };
 
   /// Finds the floor again in the latest cloud.
@@ -32,7 +34,8 @@ class FloorStrip {
   bool learn_row(const PixelMemory& memory, std::size_t row);
   void count_row(const PixelMemory& memory, std::size_t row);
 
-  std::vector<std::uint16_t> farthest_;  ///< code of the farthest ground return of each row; 0 = none
+  std::vector<std::uint16_t> lowest_;  ///< code of the lowest ground return of each row; 0 = none
+  std::uint16_t floor_ = 0;            ///< the lowest of them all
   std::vector<Column> columns_;
 };
 

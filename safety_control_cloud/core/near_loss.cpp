@@ -97,7 +97,7 @@ void NearLoss::count_columns() {
 void NearLoss::release_columns_with_floor() {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     Column& column = columns_[i];
-    const auto [shown, hidden, blank] = floor_.columns()[i];
+    const auto [shown, hidden, foot, blank] = floor_.columns()[i];
     if (column.near_now > 0) column.hid_floor = hidden > 0 && 4 * hidden >= shown + hidden;
     const bool floor_again = column.near_now == 0 && shown > 0 && 8 * hidden <= shown;
     if (!column.hid_floor || !floor_again) continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -11,7 +12,7 @@ namespace safety_control_cloud {
 /// The low 15 bits are a code; the top bit is set if the pixel returned in the latest cloud.
 ///
 ///   [0, ground_zero)        a near return in the corridor, its distance in 0.1 mm, rounded down
-///   [ground_zero, elsewhere)  a near return from below the corridor, its distance in 1 mm, rounded down
+///   [ground_zero, elsewhere)  a near return from below the corridor, how far below the camera in 1 mm, rounded down
 ///   elsewhere               a return from farther away or from beside the corridor
 ///   nothing                 no return yet
 struct PixelMemory {
@@ -29,8 +30,9 @@ struct PixelMemory {
   std::vector<std::uint16_t> pixels;  ///< row by row
 
   static std::uint16_t near_code(float z) { return static_cast<std::uint16_t>(z * near_per_metre); }
-  static std::uint16_t ground_code(float z) {
-    return static_cast<std::uint16_t>(ground_zero + static_cast<std::uint16_t>(z * ground_per_metre));
+  static std::uint16_t ground_code(float y) {
+    const float below = std::clamp(y, 0.0f, static_cast<float>(farthest));
+    return static_cast<std::uint16_t>(ground_zero + static_cast<std::uint16_t>(below * ground_per_metre));
   }
   static double distance_of_near(std::uint16_t code) { return code / double{near_per_metre}; }
 

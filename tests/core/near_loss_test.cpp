@@ -74,6 +74,31 @@ TEST(NearLoss, RobotStandsForAPostThatSlidesInFromTheSideTooNearToBeSeen) {
   EXPECT_EQ(robot.sees(Scene()).speed, 0.2) << "it has gone: the floor is seen again";
 }
 
+TEST(NearLoss, RobotStandsForAPostThatWasTooNearToBeSeenFromTheStart) {
+  for (const float z : {0.2f, 0.3f, 0.38f}) {
+    Robot robot;
+    const Decision decision = robot.sees({post(z, 0.0f, 0.03f)});
+    EXPECT_EQ(decision.cause, Cause::NearLoss) << z;
+    EXPECT_EQ(decision.speed, 0.0) << z;
+  }
+}
+
+TEST(NearLoss, ABorderOfThePictureThatNeverReturnsHidesNothing) {
+  Scene scene;
+  for (std::size_t row = 0; row < Scene::height; ++row) {
+    for (std::size_t column = 0; column < 20; ++column) scene.set(row, column, NAN);
+  }
+  Robot robot;
+  EXPECT_EQ(robot.sees(scene).speed, 0.2);
+}
+
+TEST(NearLoss, RobotDrivesOnWhenALegThatHidLittleMoreThanTheNearestFloorHasGone) {
+  Robot robot;
+  robot.sees(Scene());
+  robot.sees({post(0.67f, 0.0f, 0.1f)});
+  EXPECT_EQ(robot.sees(Scene()).speed, 0.2) << "it stood on the floor, and the floor is seen again";
+}
+
 TEST(NearLoss, RobotStandsForAHangingBoardThatComesTooNearToBeSeen) {
   Robot robot;
   for (const float z : {0.7f, 0.6f, 0.5f, 0.42f}) robot.sees({hanging(z)});
