@@ -24,13 +24,17 @@ COLLIDED, INTERRUPTED = 1, 130  # exit codes; argparse says 2
 def options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="trials", description=__doc__, epilog="Exit code 1: our method has run into something it could have seen.")
-    parser.add_argument("--episodes", metavar="N", type=_positive, default=1000, help="shared out among the families [%(default)s]")
-    parser.add_argument("--seed", metavar="S", type=int, default=1, help="of the first episode of each family [%(default)s]")
+    parser.add_argument("--episodes", metavar="N", type=_positive, default=1000,
+                        help="shared out among the families [%(default)s]")
+    parser.add_argument("--seed", metavar="S", type=int, default=1,
+                        help="of the first episode of each family [%(default)s]")
     parser.add_argument("--jobs", metavar="J", type=_positive, default=cpu_count() or 1, help="processes [%(default)s]")
     parser.add_argument("--method", choices=(*METHODS, "both"), default="both", help="[%(default)s]")
-    parser.add_argument("--family", choices=tuple(FAMILIES), action="append", default=[], help="only this one; may be repeated")
+    parser.add_argument("--family", choices=tuple(FAMILIES), action="append", default=[], metavar="F",
+                        help=f"only this one; may be repeated: {', '.join(FAMILIES)}")
     parser.add_argument("--json", metavar="F", type=Path, help="write the table and every outcome")
-    parser.add_argument("--report", metavar="DIR", type=Path, help="write a page with the table, histograms and our collisions")
+    parser.add_argument("--report", metavar="DIR", type=Path,
+                        help="write a page with the table, histograms and our collisions")
     parser.add_argument("--replay", metavar="FAMILY:SEED", type=_scenario, help="one drive, told moment by moment")
     parser.add_argument("--video", metavar="F.gif", type=Path, help="with --replay: what the robot saw and where it went")
     given = parser.parse_args(arguments)

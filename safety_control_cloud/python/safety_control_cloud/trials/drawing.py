@@ -35,7 +35,8 @@ def plan_and_speed(path: Path, scenario: Scenario, method: str, moments: Sequenc
     times = [moment.time for moment in moments]
     speed.step(times, [moment.speed for moment in moments], where="post", color=INK)
     for zone, colour in ZONES.items():
-        speed.fill_between(times, 0, 0.22, where=[moment.verdict.zone == zone for moment in moments], color=colour, alpha=0.2, lw=0)
+        during = [moment.verdict.zone == zone for moment in moments]
+        speed.fill_between(times, 0, 0.22, where=during, color=colour, alpha=0.2, lw=0)
     speed.set(xlabel="time [s]", ylabel="speed [m/s]", ylim=(-0.01, 0.22))
     hit = f" - ran into {outcome.collision.thing}" if outcome.collision else ""
     figure.suptitle(f"{scenario.name}, {method}{hit}", color=INK)

@@ -57,7 +57,8 @@ def _told(moments: Sequence[Moment], outcome: Outcome) -> list[str]:
         before = now
     hit = outcome.collision
     if hit:
-        lines.append(f"{hit.time:6.2f} s  ran into {hit.thing} at {hit.approach:.2f} m/s" + (f" ({outcome.limit})" if outcome.limit else ""))
+        why = f" ({outcome.limit})" if outcome.limit else ""
+        lines.append(f"{hit.time:6.2f} s  ran into {hit.thing} at {hit.approach:.2f} m/s{why}")
     stops = "" if outcome.false_stop is None else f"; false stop at {outcome.false_stop:.2f} s"
     return [*lines, f"{outcome.seconds:6.2f} s  end{stops}{'; stuck' if outcome.stuck else ''}"]
 

@@ -26,10 +26,11 @@ def write_report(outcomes: Sequence[Outcome], folder: Path) -> Path:
     folder.mkdir(parents=True, exist_ok=True)
     _draw_histograms(outcomes, folder / "histograms.png")
     collisions = [one for one in outcomes if one.collision and one.method == "ours"]
+    avoidable = [one for one in collisions if is_collision(one)]
     parts = [
         "<h1>Drives in simulation</h1>", *(f"<p>{escape(line)}</p>" for line in verdict_of(outcomes)), _table(outcomes),
         '<h2>How they went</h2><img src="histograms.png" alt="histograms of clearance and of speed">',
-        f"<h2>Our collisions: {sum(map(is_collision, collisions))}, and {sum(not is_collision(one) for one in collisions)} at limits</h2>",
+        f"<h2>Our collisions: {len(avoidable)}, and {len(collisions) - len(avoidable)} at limits</h2>",
         *(_collision(one, folder) for one in collisions),
     ]
     page = folder / "index.html"
@@ -50,8 +51,9 @@ def _collision(outcome: Outcome, folder: Path) -> str:
     picture = folder / f"{outcome.family}_{outcome.seed}.png"
     draw_to(picture, scenario_of(outcome.family, outcome.seed), outcome.method)
     why = f" <em>Limit: {escape(outcome.limit)}.</em>" if outcome.limit else ""
-    return (f"<h3>{escape(outcome.name)}</h3><p>Ran into {escape(outcome.collision.thing)} after {outcome.collision.time:.2f} s.{why} "
-            f'<code>scripts/trials --replay {escape(outcome.name)} --video out.gif</code></p><img src="{picture.name}" alt="">')
+    hit = outcome.collision
+    return (f"<h3>{escape(outcome.name)}</h3><p>Ran into {escape(hit.thing)} after {hit.time:.2f} s.{why} <code>"
+            f'scripts/trials --replay {escape(outcome.name)} --video out.gif</code></p><img src="{picture.name}" alt="">')
 
 
 def _draw_histograms(outcomes: Sequence[Outcome], path: Path) -> None:
@@ -59,8 +61,10 @@ def _draw_histograms(outcomes: Sequence[Outcome], path: Path) -> None:
     clearance, speed = figure.subplots(1, 2)
     for method in dict.fromkeys(one.method for one in outcomes):
         ours = [one for one in outcomes if one.method == method]
-        clearance.hist([one.clearance for one in ours if isfinite(one.clearance)], bins=40, range=(0, 1), alpha=0.6, label=method)
-        speed.hist([one.free_metres / one.free_seconds for one in ours if one.free_seconds], bins=40, range=(0, 0.2), alpha=0.6, label=method)
+        clearances = [one.clearance for one in ours if isfinite(one.clearance)]
+        speeds = [one.free_metres / one.free_seconds for one in ours if one.free_seconds]
+        clearance.hist(clearances, bins=40, range=(0, 1), alpha=0.6, label=method)
+        speed.hist(speeds, bins=40, range=(0, 0.2), alpha=0.6, label=method)
     clearance.set(xlabel="smallest clearance while driving [m]", ylabel="drives")
     speed.set(xlabel="mean speed over free ground [m/s]")
     clearance.legend(frameon=False)

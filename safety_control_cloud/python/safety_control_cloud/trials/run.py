@@ -8,6 +8,8 @@ import signal
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+import safety_control_cloud
+
 from .families import FAMILIES
 from .outcome import Outcome
 
@@ -33,10 +35,13 @@ def drive(job: Job) -> Outcome:
     return episode(scenario_of(job.family, job.seed), job.method)
 
 
-def drive_all(jobs: Sequence[Job], workers: int, on_outcome: Callable[[Outcome], None] = lambda outcome: None) -> list[Outcome]:
+def drive_all(
+    jobs: Sequence[Job], workers: int, on_outcome: Callable[[Outcome], None] = lambda outcome: None
+) -> list[Outcome]:
     """The outcomes in the order of the jobs. `on_outcome` hears of each as soon as it is there, in any order."""
     outcomes: dict[int, Outcome] = {}
-    with multiprocessing.get_context("spawn").Pool(min(workers, len(jobs)) or 1, _be_a_worker) as pool:
+    context, package = multiprocessing.get_context("spawn"), list(safety_control_cloud.__path__)
+    with context.Pool(min(workers, len(jobs)) or 1, _be_a_worker, (package,)) as pool:
         for place, outcome in pool.imap_unordered(_numbered, list(enumerate(jobs))):
             outcomes[place] = outcome
             on_outcome(outcome)
@@ -48,6 +53,8 @@ def _numbered(numbered: tuple[int, Job]) -> tuple[int, Outcome]:
     return place, drive(job)
 
 
-def _be_a_worker() -> None:
+def _be_a_worker(package: list[str]) -> None:
+    """`package`: where the parent has it. In a catkin devel space a spawned process finds the sources alone."""
+    safety_control_cloud.__path__ = package
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to hear
     os.environ.setdefault("LP_NUM_THREADS", "1")  # Mesa would take every core for each process

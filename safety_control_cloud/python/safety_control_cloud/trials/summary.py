@@ -39,7 +39,8 @@ def rows(outcomes: Sequence[Outcome]) -> list[Row]:
     """One for each family and method, in the order in which they come, and last those of ALL."""
     keys = dict.fromkeys((one.family, one.method) for one in outcomes)
     methods = dict.fromkeys(one.method for one in outcomes)
-    made = [row(family, method, [one for one in outcomes if (one.family, one.method) == (family, method)]) for family, method in keys]
+    alike = {key: [one for one in outcomes if (one.family, one.method) == key] for key in keys}
+    made = [row(family, method, drives) for (family, method), drives in alike.items()]
     return made + [row(ALL, method, [one for one in outcomes if one.method == method]) for method in methods]
 
 

@@ -35,7 +35,8 @@ def table_of(outcomes: Sequence[Outcome]) -> Table:
         if one.family == ALL and before != ALL:
             table.add_section()
         family, *rest = cells(one)
-        table.add_row("" if one.family == before else family, *rest, style="bold red" if one.collisions and one.method == "ours" else None)
+        style = "bold red" if one.collisions and one.method == "ours" else None
+        table.add_row("" if one.family == before else family, *rest, style=style)
         before = one.family
     return table
 
@@ -46,9 +47,9 @@ def verdict_of(outcomes: Sequence[Outcome]) -> list[str]:
     for method in dict.fromkeys(one.method for one in outcomes):
         ours = [one for one in outcomes if one.method == method]
         well = sound(ours)
-        false, stuck = (100 * sum(flags) / max(1, len(well)) for flags in (
-            [one.false_stop is not None for one in well], [one.stuck for one in well]))
+        false = 100 * sum(one.false_stop is not None for one in well) / max(1, len(well))
+        stuck = 100 * sum(one.stuck for one in well) / max(1, len(well))
         lines.append(f"{method}: {sum(map(is_collision, ours))} collisions in {len(ours)} drives; where the camera works, "
                      f"{false:.1f} % of the drives with a false stop, {stuck:.1f} % stuck at the end")
-    lines += [f"  collision: {one.name} with {one.collision.thing}" for one in outcomes if is_collision(one) and one.method == "ours"]
-    return lines
+    collided = [one for one in outcomes if is_collision(one) and one.method == "ours"]
+    return lines + [f"  collision: {one.name} with {one.collision.thing}" for one in collided]

@@ -62,7 +62,8 @@ class Thing:
     def mjcf(self) -> str:
         """A movable body of one geom of the same name."""
         half = [side / 2 for side in self.size]
-        shape = f'type="cylinder" size="{half[0]} {half[2]}"' if self.round else f'type="box" size="{half[0]} {half[1]} {half[2]}"'
+        box = f'type="box" size="{half[0]} {half[1]} {half[2]}"'
+        shape = f'type="cylinder" size="{half[0]} {half[2]}"' if self.round else box
         x, y = self.place(0.0)
         turned = f"{cos(self.at.yaw / 2)} 0 0 {sin(self.at.yaw / 2)}"
         body = f'<body name="{self.name}" mocap="true" pos="{x} {y} {self.bottom + half[2]}" quat="{turned}">'

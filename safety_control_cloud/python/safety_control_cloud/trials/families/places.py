@@ -29,7 +29,8 @@ def _doorway(draw: Draw) -> Draft:
     x, middle = draw.between(1.0, 1.6, "distance [m]"), CAMERA_Y + draw.between(-0.003, 0.003)
     depth = draw.between(0.05, 0.3, "depth [m]")
     jambs = tuple(
-        Thing(name, Pose(x + depth / 2, middle + side * (0.31 + 1.0)), (depth, 2.0, 2.2)) for name, side in (("left", 1), ("right", -1))
+        Thing(name, Pose(x + depth / 2, middle + side * (0.31 + 1.0)), (depth, 2.0, 2.2))
+        for name, side in (("left", 1), ("right", -1))
     )
     return Draft((*jambs, wall("far", x + draw.between(2.5, 4.0))), seconds=18.0)
 
@@ -37,7 +38,9 @@ def _doorway(draw: Draw) -> Draft:
 def _passage(draw: Draw) -> Draft:
     """Between two walls, 0.8 to 1.5 m apart."""
     half = draw.between(0.40, 0.75, "half width [m]")
-    sides = tuple(wall(name, 2.0, CAMERA_Y + side * half, side * pi / 2, length=8.0) for name, side in (("left", 1), ("right", -1)))
+    sides = tuple(
+        wall(name, 2.0, CAMERA_Y + side * half, side * pi / 2, length=8.0) for name, side in (("left", 1), ("right", -1))
+    )
     return Draft((*sides, wall("end", draw.between(3.0, 6.0))), seconds=14.0)
 
 

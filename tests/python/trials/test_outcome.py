@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What counts as what, on drives made up by hand."""
+from __future__ import annotations
+
+from math import inf
+
+import pytest
+
+from safety_control_cloud.simulation.base import Pose
+from safety_control_cloud.trials.deciders import Verdict
+from safety_control_cloud.trials.outcome import SIDE_ENTRY, Hit, Judge, Moment
+from safety_control_cloud.trials.scenario import Scenario
+from safety_control_cloud.trials.summary import row, rows, to_json
+from safety_control_cloud.trials.table import table_of, verdict_of
+from safety_control_cloud.trials.things import Path, Thing, wall
+
+WALL = Scenario("wall", 0, (wall("wall", 2.0),))
+CART = Thing("cart", Pose(), (0.2, 0.2, 1.0), path=Path(((0.0, 1.0, 2.0), (2.0, 1.0, 0.0))))
+
+
+def moment(time: float, speed: float = 0.2, zone: str = "Safe", free: bool = True, hits=(), clearance: float = 0.5) -> Moment:
+    return Moment(time, Pose(), speed, Verdict(zone, speed, "SEEN"), free, clearance, tuple(hits))
+
+
+def judged(moments, scenario: Scenario = WALL):
+    judge = Judge(scenario, "ours")
+    for one in moments:
+        judge.see(one)
+        if judge.is_over:
+            break
+    return judge.outcome()
+
+
+def standing(seconds: float, free: bool, zone: str = "Danger"):
+    return [moment(i * 0.05, 0.0, zone, free) for i in range(round(seconds / 0.05))]
+
+
+def test_driving_into_a_wall_is_a_collision():
+    outcome = judged([moment(0.0), moment(0.05, free=False, hits=[Hit(0.04, "wall", 0.2)])])
+    assert outcome.collision == Hit(0.04, "wall", 0.2)
+    assert outcome.limit == ""
+
+
+@pytest.mark.parametrize("approach", [0.0, 0.01, -0.2])
+def test_being_run_into_is_no_collision_that_the_robot_caused(approach):
+    assert judged([moment(0.0), moment(0.05, hits=[Hit(0.04, "cart", approach)])]).collision is None
+
+
+def test_what_comes_from_the_side_sooner_than_the_robot_can_brake_is_a_limit_of_the_sensor():
+    scenario = Scenario("person_crosses", 0, (CART,))
+    late = [moment(0.0), moment(0.05), moment(0.1, free=False, hits=[Hit(0.2, "cart", 0.2)])]
+    assert judged(late, scenario).limit == SIDE_ENTRY
+    early = [moment(0.05 * i, free=False) for i in range(40)] + [moment(2.0, free=False, hits=[Hit(2.0, "cart", 0.2)])]
+    assert judged(early, scenario).limit == ""
+
+
+def test_standing_in_danger_before_a_free_corridor_for_two_seconds_is_a_false_stop():
+    assert judged(standing(2.2, free=True)).false_stop == 0.0
+    assert judged(standing(1.9, free=True)).false_stop is None
+    assert judged(standing(3.0, free=False)).false_stop is None
+
+
+def test_who_stands_to_the_end_though_nothing_is_in_the_way_is_stuck():
+    assert judged(standing(4.0, free=True)).stuck
+    assert not judged(standing(4.0, free=False)).stuck
+    assert not judged([*standing(2.5, free=True), *(moment(2.5 + i * 0.05) for i in range(20))]).stuck
+
+
+def test_a_drive_is_over_when_the_robot_has_stood_for_long():
+    assert judged(standing(16.0, free=False)).seconds < 4.0
+
+
+def test_clearance_counts_while_the_robot_moves():
+    assert judged([moment(0.0, clearance=0.3), moment(0.05, 0.0, clearance=0.01)]).clearance == 0.3
+    assert judged(standing(1.0, free=False)).clearance == inf
+
+
+def test_a_row_counts_collisions_and_limits_apart():
+    hit = judged([moment(0.0), moment(0.05, free=False, hits=[Hit(0.04, "wall", 0.2)])])
+    limited = judged([moment(0.0), moment(0.05, hits=[Hit(0.04, "wall", 0.2)])], Scenario("wall", 1, (), limit="glass"))
+    free = judged([moment(0.05 * i) for i in range(20)])
+    one = row("wall", "ours", [hit, limited, free])
+    assert (one.episodes, one.collisions, one.at_limits) == (3, 1, 1)
+    assert one.free_speed == pytest.approx(0.2)
+
+
+def test_the_summary_can_be_shown_and_written():
+    outcomes = [judged(standing(4.0, free=True)), judged([moment(0.0), moment(0.05, hits=[Hit(0.04, "wall", 0.2)])])]
+    assert [one.family for one in rows(outcomes)] == ["wall", "all"]
+    assert table_of(outcomes).row_count == 2
+    assert verdict_of(outcomes)[0].startswith("ours: 1 collisions in 2 drives")
+    assert '"clearance": null' in to_json(outcomes)
