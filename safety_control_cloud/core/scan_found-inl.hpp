@@ -110,10 +110,12 @@ HWY_INLINE Integer remembered(const Points& placed, const Walls& walls, Float ne
   const Mask near = hn::And(hn::Gt(placed.z, all(0.0f)), hn::Lt(placed.z, near_distance));
   const Mask in_sight = hn::And(walls.span(placed), hn::Ge(placed.y, walls.y_min));
   const Mask below = hn::Gt(placed.y, walls.y_max);
+  const Float depth_below = hn::Min(hn::Max(placed.y, all(0.0f)), all(static_cast<float>(PixelMemory::farthest)));
+  const Float metres = hn::IfThenElse(below, depth_below, placed.z);
   const Float per_metre = hn::IfThenElse(below, all(PixelMemory::ground_per_metre), all(PixelMemory::near_per_metre));
   const Integer first = hn::IfThenElse(hn::RebindMask(Integers(), below),
                                        all_of(PixelMemory::now | PixelMemory::ground_zero), all_of(PixelMemory::now));
-  const auto rounded_down = hn::ConvertTo(hn::RebindToSigned<Floats>(), hn::Mul(placed.z, per_metre));
+  const auto rounded_down = hn::ConvertTo(hn::RebindToSigned<Floats>(), hn::Mul(metres, per_metre));
   const Integer code = hn::Add(first, hn::BitCast(Integers(), rounded_down));
   return hn::IfThenElse(hn::RebindMask(Integers(), hn::And(near, in_sight)), code,
                         all_of(PixelMemory::now | PixelMemory::elsewhere));

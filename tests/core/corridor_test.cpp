@@ -178,7 +178,7 @@ TEST_P(Corridors, PixelsRememberWhatTheyReturnedLast) {
   const std::vector<Xyz> near = {{0, 0, 0.5f}, {0, 0, 2}, {0, 0.25f, 0.7f}, {0.4f, 0, 0.6f}, {nan, nan, nan}};
   EXPECT_EQ(GetParam()(view_of(near), {}, gaze).lost, std::size_t{0});
   const auto seen = [](int code) { return static_cast<std::uint16_t>(code | PixelMemory::now); };
-  EXPECT_EQ(memory.pixels, (std::vector<std::uint16_t>{seen(5000), seen(PixelMemory::elsewhere), seen(30700),
+  EXPECT_EQ(memory.pixels, (std::vector<std::uint16_t>{seen(5000), seen(PixelMemory::elsewhere), seen(30250),
                                                        seen(PixelMemory::elsewhere), PixelMemory::nothing}));
 
   const std::vector<Xyz> blank(5, Xyz{nan, nan, nan});
