@@ -71,14 +71,15 @@ std::optional<Loss> NearLoss::judge(const CloudView& cloud, const Sight& sight, 
 
 std::optional<Loss> NearLoss::judge_pixels(const Sight& sight) {
   floor_.survey(memory_);
+  const bool something_near = sight.nearest && sight.nearest->distance() < limits_.distance;
+  if (sight.lost > 0 || something_near) {
+    count_columns();  // also while the floor is covered: who comes near meanwhile is to be let go again
+    release_columns_with_floor();
+  }
   if (floor_.is_covered()) {
     return Loss{std::nullopt, true, "the near floor is hidden by something nearer than the camera can see"};
   }
-  const bool something_near = sight.nearest && sight.nearest->distance() < limits_.distance;
-  if (sight.lost == 0 && !something_near) return std::nullopt;
-  count_columns();
-  release_columns_with_floor();
-  return lost_obstacle(sight);
+  return sight.lost > 0 ? lost_obstacle(sight) : std::nullopt;
 }
 
 void NearLoss::count_columns() {

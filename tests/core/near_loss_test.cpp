@@ -99,6 +99,15 @@ TEST(NearLoss, RobotDrivesOnWhenALegThatHidLittleMoreThanTheNearestFloorHasGone)
   EXPECT_EQ(robot.sees(Scene()).speed, 0.2) << "it stood on the floor, and the floor is seen again";
 }
 
+TEST(NearLoss, RobotDrivesOnWhenTwoLegsHaveGoneOfWhichOneCameWhileTheOtherHidTheFloor) {
+  Robot robot;
+  robot.sees(Scene());
+  robot.sees({post(0.3f, -0.08f)});
+  robot.sees({post(0.3f, -0.08f), post(0.45f, 0.1f)});
+  EXPECT_EQ(robot.sees({post(0.3f, -0.08f), post(0.35f, 0.1f)}).speed, 0.0);
+  EXPECT_EQ(robot.sees(Scene()).speed, 0.2);
+}
+
 TEST(NearLoss, RobotStandsForAHangingBoardThatComesTooNearToBeSeen) {
   Robot robot;
   for (const float z : {0.7f, 0.6f, 0.5f, 0.42f}) robot.sees({hanging(z)});

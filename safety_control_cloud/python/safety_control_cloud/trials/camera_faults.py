@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,7 +40,9 @@ class CameraFaults:
 
     @property
     def over_at(self) -> float:
-        """[s] when the last passing fault ends."""
+        """[s] when the last fault ends; a wrong clock stays wrong."""
+        if self.skew:
+            return inf
         spells = [*self.dropouts, *([self.frozen] if self.frozen else [])]
         return max((spell.end for spell in spells), default=0.0)
 

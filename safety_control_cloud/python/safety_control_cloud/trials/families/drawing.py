@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...simulation.base import Pose
+from ...simulation.robot import BODY_RADIUS
 from ...simulation.sensor import Xtion
 from ..things import Path, Thing, wall
 
@@ -65,6 +66,18 @@ def background(draw: Draw, nearest: float = 2.5) -> tuple[Thing, ...]:
     if draw.chance(0.3):
         return ()
     return (wall("background", draw.between(nearest, nearest + 2.0), yaw=draw.between(-0.3, 0.3)),)
+
+
+def at_most_driven(time: float) -> float:
+    """[m] that the robot can be ahead of its start at `time` [s]."""
+    return 0.2 * time
+
+
+def meeting(start: float, begins: float, speed: float, gap: float) -> tuple[float, float]:
+    """x [m] and time [s] at which somebody who comes from x = `start` is `gap` [m] before a robot that never slowed."""
+    reach = BODY_RADIUS + 0.08 + gap  # [m] from the robot's middle to the leg's
+    there = (start + speed * begins - reach) / (speed + 0.2)  # start - speed (t - begins) = 0.2 t + reach
+    return start - speed * (there - begins), there
 
 
 def legs(draw: Draw, waypoints: tuple[tuple[float, float, float], ...], heading: float) -> tuple[Thing, ...]:

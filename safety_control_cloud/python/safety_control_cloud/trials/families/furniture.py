@@ -2,12 +2,13 @@
 """Things that stand or hang in the robot's way."""
 from __future__ import annotations
 
-from math import cos, radians, sin
+from math import cos, radians, sin, tan
 
 from ...simulation.base import Pose
 from ..things import Thing, post, wall
-from .drawing import Draft, Draw, background
+from .drawing import CAMERA_X, CAMERA_Y, Draft, Draw, background
 
+BESIDE_THE_VIEW = "so near to the robot it stands where the camera's view does not reach"
 BELOW_THE_CORRIDOR = "it is lower than the corridor, which ends 0.1 m above the floor (y_max)"
 
 
@@ -46,7 +47,9 @@ def _post_in_the_blind_zone(draw: Draw) -> Draft:
     y = draw.between(-0.15, 0.15, "beside [m]")
     diameter = draw.between(0.03, 0.10, "diameter [m]")
     x = draw.between(0.20, 0.28, "distance [m]") + diameter / 2
-    return Draft((post("post", x, y, diameter), *background(draw, 2.0)), seconds=8.0)
+    seen_to = tan(radians(30)) * (x - CAMERA_X) - 0.01  # [m] to either side of the camera
+    limit = BESIDE_THE_VIEW if abs(y - CAMERA_Y) + diameter / 2 > seen_to else ""
+    return Draft((post("post", x, y, diameter), *background(draw, 2.0)), seconds=8.0, limit=limit)
 
 
 def _low_box(draw: Draw) -> Draft:

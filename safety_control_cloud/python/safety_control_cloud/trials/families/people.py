@@ -5,13 +5,14 @@ from __future__ import annotations
 from math import pi
 
 from ...simulation.robot import BODY_RADIUS
-from .drawing import Draft, Draw, background, legs
+from .drawing import Draft, Draw, at_most_driven, background, legs, meeting
 
 
 def _crosses(draw: Draw) -> Draft:
     """From side to side ahead of the robot, at 0.3 to 1.5 m/s."""
     side, speed = draw.sign(), draw.between(0.3, 1.5, "speed [m/s]")
-    x, begins = draw.between(0.5, 1.8, "distance [m]"), draw.between(0.5, 4.0)
+    begins = draw.between(0.5, 4.0)
+    x = at_most_driven(begins + 2.0 / speed) + BODY_RADIUS + draw.between(0.25, 1.2, "from the hull [m]")
     way = ((begins, x, -side * 2.0), (begins + 4.0 / speed, x, side * 2.0))
     return Draft((*legs(draw, way, side * pi / 2), *background(draw, 3.5)))
 
@@ -20,17 +21,16 @@ def _walks_up(draw: Draw) -> Draft:
     """Toward the robot, and stops 0.2 to 0.4 m before where it would be had it not slowed down."""
     begins, speed = draw.between(0.5, 2.5), draw.between(0.4, 1.2, "speed [m/s]")
     gap, y = draw.between(0.2, 0.4, "from the hull [m]"), draw.between(-0.12, 0.12)
-    reach = BODY_RADIUS + 0.08 + gap  # [m] from the robot's middle to the leg's
-    there = (3.0 + speed * begins - reach) / (speed + 0.2)  # [s] 3 - speed (t - begins) = 0.2 t + reach
-    way = ((begins, 3.0, y), (there, 3.0 - speed * (there - begins), y))
+    stops, there = meeting(3.0, begins, speed, gap)
+    way = ((begins, 3.0, y), (there, stops, y))
     return Draft((*legs(draw, way, pi), *background(draw, 4.0)))
 
 
 def _walks_up_and_leaves(draw: Draw) -> Draft:
     """Stands before the robot for a while, and goes away to the side."""
     begins, speed = draw.between(0.2, 1.0), draw.between(0.5, 1.2, "speed [m/s]")
-    near, y, side = draw.between(0.45, 0.75, "distance [m]"), draw.between(-0.1, 0.1), draw.sign()
-    there = begins + (2.5 - near) / speed
+    gap, y, side = draw.between(0.2, 0.4, "from the hull [m]"), draw.between(-0.1, 0.1), draw.sign()
+    near, there = meeting(2.5, begins, speed, gap)
     leaves = there + draw.between(1.0, 3.0)
     way = ((begins, 2.5, y), (there, near, y), (leaves, near, y), (leaves + 2.0 / speed, near + 0.2, y + side * 2.0))
     return Draft((*legs(draw, way, pi), *background(draw, 3.5)), seconds=18.0)

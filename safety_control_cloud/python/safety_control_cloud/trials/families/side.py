@@ -5,10 +5,11 @@ from __future__ import annotations
 from math import cos, radians, sin
 
 from ...simulation.base import Pose
+from ...simulation.robot import BODY_RADIUS
 from ..camera_faults import Spell
 from ..scenario import Turn
 from ..things import Path, Thing, post, wall
-from .drawing import Draft, Draw, background
+from .drawing import Draft, Draw, at_most_driven, background
 
 
 def _slides_into_the_blind_zone(draw: Draw) -> Draft:
@@ -25,8 +26,8 @@ def _slides_into_the_blind_zone(draw: Draw) -> Draft:
 
 def _slides_out_again(draw: Draw) -> Draft:
     """A post slides across before the robot and away: it must not stand for ever."""
-    side, x = draw.sign(), draw.between(0.35, 0.9, "distance [m]")
-    begins, crossing = draw.between(0.5, 1.5), 2.4 / draw.between(0.4, 1.0, "speed [m/s]")
+    side, begins, crossing = draw.sign(), draw.between(0.5, 1.5), 2.4 / draw.between(0.4, 1.0, "speed [m/s]")
+    x = at_most_driven(begins + crossing / 2) + BODY_RADIUS + draw.between(0.15, 0.5, "from the hull [m]")
     path = Path(((begins, x, -side * 1.2), (begins + crossing, x, side * 1.2)))
     thing = Thing("slider", Pose(), (0.1, 0.1, 1.2), round=True, path=path)
     return Draft((thing, *background(draw, 3.5)))
