@@ -6,7 +6,7 @@ from itertools import groupby
 
 import pytest
 
-from safety_control_cloud.simulation.base import Velocity
+from safety_control_cloud.simulation.base import Pose, Velocity
 from safety_control_cloud.simulation.lockstep import Moment, drive, steered_by
 from safety_control_cloud.simulation.sensor import Xtion
 from safety_control_cloud.simulation.turtlebot import TurtleBot
@@ -34,6 +34,17 @@ def test_from_the_start_of_each_world_the_robot_slows_and_stands_without_touchin
     assert wanted_speeds(moments) == [0.2, 0.1, 0.0]
     assert moments[-1].velocity == Velocity()
     assert not any(moment.contacts for moment in moments)
+
+
+def test_started_so_near_to_a_closed_door_that_it_returns_nothing_the_robot_stands():
+    """The tutorial's node, put there in Gazebo, says Safe and drives into the door."""
+    robot = TurtleBot(World.load("closed_cabinet", QVGA))
+    door = robot.world.site("front")[0]
+    robot.place(Pose(x=door - 0.34 + 0.087))  # the camera sits 0.087 m behind base_footprint
+    moments = list(drive(robot, steered_by(core.SafetyControl(), QVGA), 5.0, latency=0.05))
+    robot.close()
+    assert wanted_speeds(moments) == [0.0]
+    assert moments[-1].pose.x == moments[0].pose.x
 
 
 def test_in_the_hall_the_robot_drives_on():
