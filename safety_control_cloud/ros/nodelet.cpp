@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nodelet/nodelet.h>
-#include <pluginlib/class_list_macros.hpp>
 
 #include <memory>
+#include <pluginlib/class_list_macros.hpp>
 
 #include "safety_node.hpp"
 
@@ -11,7 +11,9 @@ namespace safety_control_cloud {
 /// The node beside the camera's driver in one process: a cloud arrives without being copied.
 /// Parameters that are unfit to drive with keep it from loading.
 class SafetyControlNodelet : public nodelet::Nodelet {
-  void onInit() override { node_ = std::make_unique<SafetyNode>(getNodeHandle(), getPrivateNodeHandle()); }
+  void onInit() override {
+    node_ = std::make_unique<SafetyNode>(getNodeHandle(), getPrivateNodeHandle(), subscribe_shared);
+  }
 
   std::unique_ptr<SafetyNode> node_;
 };

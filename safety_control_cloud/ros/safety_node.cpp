@@ -2,6 +2,7 @@
 #include "safety_node.hpp"
 
 #include <geometry_msgs/Twist.h>
+#include <sensor_msgs/PointCloud2.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ const char* advice_for(const Decision& decision, const std_msgs::Header& cloud) 
 
 }  // namespace
 
-SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle)
+SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Subscribe& subscribe)
     : control_(load_settings(private_handle)),
       command_(handle.advertise<geometry_msgs::Twist>("cmd_vel_mux/input/teleop", 1)),
       output_(handle.advertise<sensor_msgs::PointCloud2>("output", 1)),
@@ -50,31 +51,30 @@ SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle)
   if (!target_frame.empty()) camera_place_ = std::make_unique<CameraPlace>(target_frame);
   constexpr bool once = true, not_yet = false;
   quiet_ = handle.createSteadyTimer(ros::WallDuration(1.0), &SafetyNode::on_quiet, this, once, not_yet);
-  const auto hints = ros::TransportHints().tcpNoDelay();
-  clouds_ = handle.subscribe("camera/depth/points", 1, &SafetyNode::on_cloud, this, hints);
+  clouds_ = subscribe(handle, "camera/depth/points", [this](const Arrival& arrival) { on_arrival(arrival); });
   publish(control_.without_cloud(now()));
 }
 
 SafetyNode::~SafetyNode() { command_.publish(geometry_msgs::Twist()); }
 
-void SafetyNode::on_cloud(const ros::MessageEvent<const sensor_msgs::PointCloud2>& arrival) {
-  const sensor_msgs::PointCloud2& cloud = *arrival.getConstMessage();
+void SafetyNode::on_arrival(const Arrival& arrival) {
   ROS_INFO_ONCE("Point cloud arrived");
   last_cloud_ = ros::SteadyTime::now();
-  header_ = cloud.header;
-  const Decision decision = decide(cloud, arrival.getPublisherName());
+  header_ = arrival.header;
+  const Decision decision = decide(arrival);
+  const double decision_time = seconds_since(last_cloud_), latency = age_of(header_);
   publish(decision);
-  if (decision.sight.crop) output_.publish(to_output(*decision.sight.crop, cloud.header));
-  diagnostics_.on_cloud(decision, cloud.header, seconds_since(last_cloud_), age_of(cloud.header));
+  if (decision.sight.crop) output_.publish(to_output(*decision.sight.crop, header_));
+  diagnostics_.on_cloud(decision, header_, decision_time, latency);
 }
 
 /// The one border where an exception becomes a decision: whatever went wrong, the robot stands.
-Decision SafetyNode::decide(const sensor_msgs::PointCloud2& cloud, const std::string& source) {
-  Origin origin{cloud.header.stamp.toSec(), OpticalFrame{}, source};
+Decision SafetyNode::decide(const Arrival& arrival) {
+  Origin origin{arrival.header.stamp.toSec(), OpticalFrame{}, arrival.source};
   try {
-    origin.placing = placing_of(cloud.header);
+    origin.placing = placing_of(arrival.header);
     const Crop crop = output_.getNumSubscribers() > 0 ? Crop::Keep : Crop::Skip;
-    return control_.decide(view_of(cloud), origin, now(), crop);
+    return control_.decide(arrival.reading, origin, now(), crop);
   } catch (const std::exception& problem) {
     return control_.decide(Unreadable{problem.what()}, origin, now());
   }

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <ros/ros.h>
-#include <sensor_msgs/PointCloud2.h>
 #include <std_srvs/Trigger.h>
 
 #include <memory>
 #include <string>
 
 #include "../core/safety_control.hpp"
+#include "arrival.hpp"
 #include "diagnostics.hpp"
 #include "reconfigure.hpp"
 #include "transforms.hpp"
@@ -20,17 +20,17 @@ namespace safety_control_cloud {
 class SafetyNode {
  public:
   /// Throws BadParameters if the private parameters are unfit to drive with.
-  SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle);
+  SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Subscribe& subscribe);
   ~SafetyNode();  ///< the last command is zero
   SafetyNode(const SafetyNode&) = delete;
   SafetyNode& operator=(const SafetyNode&) = delete;
 
  private:
-  void on_cloud(const ros::MessageEvent<const sensor_msgs::PointCloud2>& arrival);
+  void on_arrival(const Arrival& arrival);
   void on_quiet(const ros::SteadyTimerEvent&);
   bool on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& answer);
 
-  Decision decide(const sensor_msgs::PointCloud2& cloud, const std::string& source);
+  Decision decide(const Arrival& arrival);
   Placing placing_of(const std_msgs::Header& cloud) const;
   void publish(const Decision& decision);
   void publish_markers(const Decision& decision);

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Clouds whose header contradicts their bytes, sent to one robot after another without a restart between them."""
+from io import BytesIO
+
 import numpy as np
 import pytest
 from robot import driving_robot
 from scenes import POINT_STEP, WIDTH, always, cloud_of, hall, points_of, wall, xyz
-from sensor_msgs.msg import PointField
+from sensor_msgs.msg import PointCloud2, PointField
 
 FLOAT32, FLOAT64 = PointField.FLOAT32, PointField.FLOAT64
 HUGE = 2**32 - 1
@@ -50,6 +52,32 @@ CONTRADICTIONS = {
 def test_a_cloud_that_contradicts_itself_is_unreadable(robot, claims):
     robot.camera.show(always(cloud_of(points_of(), **claims)))
     assert robot.stops("UNREADABLE").reason
+    robot.camera.show(hall())
+    robot.drives()
+
+
+class Damaged(PointCloud2):
+    """A cloud whose serialised bytes are damaged on their way."""
+
+    def serialize(self, buff):
+        whole = BytesIO()
+        super().serialize(whole)
+        buff.write(self.damage(whole.getvalue()))
+
+
+class CutShort(Damaged):
+    damage = staticmethod(lambda whole: whole[:-100])
+
+
+class BeyondItsEnd(Damaged):
+    damage = staticmethod(lambda whole: whole[:12] + b"\xff\xff\xff\x7f" + whole[16:])  # the length of frame_id
+
+
+@pytest.mark.parametrize("damaged", [CutShort, BeyondItsEnd])
+def test_a_message_that_cannot_be_deserialised_is_unreadable(robot, damaged):
+    cloud = cloud_of(points_of())
+    robot.camera.show(always(damaged(*(getattr(cloud, name) for name in cloud.__slots__))))
+    assert robot.stops("UNREADABLE").reason == "the message ends before its contents"
     robot.camera.show(hall())
     robot.drives()
 

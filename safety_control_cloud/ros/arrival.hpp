@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/ros.h>
+#include <std_msgs/Header.h>
+
+#include <exception>
+#include <functional>
+#include <string>
+
+#include "../core/layout.hpp"
+
+namespace safety_control_cloud {
+
+/// What the camera sent, borrowed for the length of the call that hands it over.
+struct Arrival {
+  std_msgs::Header header;  ///< as far as it could be read
+  Reading reading;
+  std::string source;  ///< the publisher's name
+};
+
+/// What read() returns, or why it threw.
+template <class Read>
+Reading readable(Read read) {
+  try {
+    return read();
+  } catch (const std::exception& problem) {
+    return Unreadable{problem.what()};
+  }
+}
+
+using OnArrival = std::function<void(const Arrival&)>;
+using Subscribe = ros::Subscriber(ros::NodeHandle& handle, const std::string& topic, const OnArrival& on_arrival);
+
+/// Clouds of other processes, looked at in the buffer that they were received in: no message is ever built.
+Subscribe subscribe_in_place;
+
+/// Clouds of this process, which come as a pointer to the publisher's message; those of other processes are copied.
+Subscribe subscribe_shared;
+
+}  // namespace safety_control_cloud
