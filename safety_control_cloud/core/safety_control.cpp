@@ -71,7 +71,7 @@ void SafetyControl::take(const Settings& settings) {
 }
 
 Decision SafetyControl::decide(const Reading& reading, const Origin& origin, const Instant& now, Crop crop) {
-  const bool ambiguous = sources_take_turns(origin.source, now.steady);
+  const bool ambiguous = sources_.others_beside(origin.source, now.steady, settings_.source_timeout);
   last_arrival_ = now.steady;
   if (ambiguous) return stop(Cause::TwoSources, "clouds of two publishers arrive in turn", now.steady);
   if (const auto doubt = doubt_before_looking(reading, origin, now)) return *doubt;
@@ -153,15 +153,6 @@ bool SafetyControl::clock_went_back(double ros_now) {
   const bool back = last_ros_ && ros_now < *last_ros_ - clock_slack;
   last_ros_ = ros_now;
   return back;
-}
-
-/// What two cameras see is neither's view, and the pixels' memory would mix them. A camera that is started anew under
-/// another name has not sent for source_timeout, or is believed after it.
-bool SafetyControl::sources_take_turns(const std::string& source, double now) {
-  const double timeout = settings_.source_timeout;
-  if (last_arrival_ && source != source_ && now - *last_arrival_ <= timeout) last_turn_ = now;
-  source_ = source;
-  return last_turn_ && now - *last_turn_ <= timeout;
 }
 
 Decision SafetyControl::stop(Cause cause, std::string reason, double now) {

@@ -11,6 +11,7 @@
 #include "near_loss.hpp"
 #include "placement.hpp"
 #include "settings.hpp"
+#include "sources.hpp"
 #include "speed.hpp"
 #include "zone.hpp"
 
@@ -65,7 +66,6 @@ class SafetyControl {
   Decision decide_by(const Sight& sight, const std::optional<Loss>& loss, double now);
   Decision stop(Cause cause, std::string reason, double now);
   bool clock_went_back(double ros_now);
-  bool sources_take_turns(const std::string& source, double now);
 
   Settings settings_;
   Corridor corridor_;
@@ -74,8 +74,7 @@ class SafetyControl {
   FrozenWatch frozen_;
   std::optional<double> last_arrival_;  ///< [s] steady
   std::optional<double> last_ros_;      ///< [s] ROS time
-  std::string source_;                  ///< of the latest cloud
-  std::optional<double> last_turn_;     ///< [s] steady: when another source's cloud came before the last one's was old
+  SourceWatch sources_;
   Decision last_;
 };
 
