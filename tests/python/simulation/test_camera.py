@@ -9,6 +9,7 @@ from rooms import box, room, wall_at
 from safety_control_cloud.simulation.base import RESTING_PITCH, Pose
 from safety_control_cloud.simulation.camera import Camera
 from safety_control_cloud.simulation.sensor import Xtion, points, rays
+from safety_control_cloud.simulation.world import World
 
 MOUNT = Xtion().mount
 SIZES = [Xtion(), Xtion(width=320, height=240)]
@@ -108,8 +109,30 @@ def test_the_robot_sees_nothing_of_itself():
 def test_the_colour_camera_sees_farther_than_the_depth_is_measured():
     world = room('<geom type="box" size="0.1 5 5" pos="12 0 5" rgba="1 0 0 1"/>')
     camera = Camera(world)
-    colour, depth = camera.colour(), camera.depth()
+    seen = camera.picture()
     camera.close()
+    colour, depth = seen.colour, seen.depth
     assert not np.isfinite(depth[200]).any()
     red, _, blue = colour[200, 320].astype(int)
     assert red > 50 and red > 2 * blue
+
+
+@pytest.mark.parametrize("name", ["cabinet", "hall"])
+def test_a_picture_is_the_depth_and_the_colour_that_are_taken_one_by_one(name):
+    camera = Camera(World.load(name))
+    seen = camera.picture(np.random.default_rng(5))
+    depth, colour = camera.depth(np.random.default_rng(5)), camera.colour()
+    camera.close()
+    assert np.array_equal(seen.depth, depth, equal_nan=True)
+    assert np.array_equal(seen.colour, colour)
+
+
+def test_wherever_somebody_drives_the_floor_reaches_the_horizon():
+    world = World.load("hall")
+    world.place_robot(Pose(130, -130, radians(-45)))  # looks away from the middle of the world
+    camera = Camera(world)
+    seen = camera.picture()
+    camera.close()
+    below_the_horizon = seen.colour[245:].astype(int)
+    red, blue = below_the_horizon[..., 0], below_the_horizon[..., 2]
+    assert (red > blue).all()  # the sky is blue

@@ -132,11 +132,12 @@ class TurtlebotSim:
             if info.get_num_connections():
                 info.publish(messages.to_camera_info(self._robot.world.xtion, stamp))
         cloud, depth, colour = (topic.get_num_connections() > 0 for topic in (self._points, self._depth, self._colour))
-        seen_depth = self._robot.depth() if cloud or depth else None
-        seen_colour = self._robot.colour() if cloud or colour else None
+        if not (cloud or depth or colour):
+            return
+        seen = self._robot.picture()
         if cloud:
-            self._points.publish(self._cloud.of(seen_depth, seen_colour, stamp))
+            self._points.publish(self._cloud.of(seen.depth, seen.colour, stamp))
         if depth:
-            self._depth.publish(messages.to_depth_image(seen_depth, self._options.depth_encoding, stamp))
+            self._depth.publish(messages.to_depth_image(seen.depth, self._options.depth_encoding, stamp))
         if colour:
-            self._colour.publish(messages.to_image(seen_colour, "rgb8", stamp))
+            self._colour.publish(messages.to_image(seen.colour, "rgb8", stamp))

@@ -27,7 +27,7 @@ class Xtion:
     horizontal_view: float = radians(60)
     nearest: float = 0.4  # [m] along z: nothing is returned at or below
     farthest: float = 5.0  # [m] along z: nothing is returned at or beyond
-    clip: tuple[float, float] = (0.05, 8.0)  # [m] what the renderer draws
+    clip: tuple[float, float] = (0.05, 60.0)  # [m] along z: what is drawn; colour reaches farther than depth
     mount: tuple[float, float, float] = (-0.087, 0.0475, 0.2972)  # [m] the depth frame in base_footprint
 
     @property
@@ -96,10 +96,10 @@ def fill_cloud(cloud: NDArray[np.void], depth: NDArray[np.float32], xtion: Xtion
 
 def fill_colour(cloud: NDArray[np.void], colour: NDArray[np.uint8]) -> None:
     """Write an image (height, width, 3) of red, green, blue into a cloud, as PCL packs it: 0x00RRGGBB in a float32."""
-    octets = cloud.view(np.uint8).reshape(*cloud.shape, POINT.itemsize)
-    first = POINT.fields["rgb"][1]
+    packed = np.zeros((*cloud.shape, 4), np.uint8)
     for place, channel in enumerate((2, 1, 0)):  # the lowest byte, blue, comes first
-        octets[..., first + place] = colour[..., channel]
+        packed[..., place] = colour[..., channel]
+    cloud["rgb"] = packed.view("<f4")[..., 0]
 
 
 def millimetres(depth: NDArray[np.float32]) -> NDArray[np.uint16]:

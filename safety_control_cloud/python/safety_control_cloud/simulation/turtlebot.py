@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .base import DRIVER, Base, Limits, Pose, Velocity, pitch_at
-from .camera import Camera
+from .camera import Camera, Picture
 from .world import Contact, World
 
 TICK = 0.01  # [s]
@@ -66,6 +66,10 @@ class TurtleBot:
     def colour(self) -> NDArray[np.uint8]:
         """(height, width, 3) red, green, blue."""
         return self._eye().colour()
+
+    def picture(self) -> Picture:
+        """Depth and colour at once."""
+        return self._eye().picture(self._random)
 
     def place(self, pose: Pose) -> None:
         """Lift the robot and put it down at `pose`, at rest."""

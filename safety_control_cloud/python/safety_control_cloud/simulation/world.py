@@ -79,6 +79,8 @@ class World:
 
     def contacts(self) -> tuple[Contact, ...]:
         """Between the robot's hull and anything else but the floor, which the hull does not reach."""
+        if not self.data.ncon:
+            return ()  # slicing MuJoCo's contacts takes longer than finding them, also where there are none
         found = []
         for contact in self.data.contact[: self.data.ncon]:
             ours = self._hull.intersection(contact.geom)
@@ -150,7 +152,8 @@ class World:
 
 def _prepare_for_sensor(spec: mujoco.MjSpec, xtion: Xtion) -> None:
     """What the file says of lengths and buffers gives way to what the sensor needs."""
-    spec.stat.extent = 1.0  # near and far, which the camera sets, are multiples of it
+    spec.stat.extent = 1.0  # near and far are multiples of it
+    spec.visual.map.znear, spec.visual.map.zfar = xtion.clip
     spec.visual.global_.offwidth = max(xtion.width, spec.visual.global_.offwidth)
     spec.visual.global_.offheight = max(xtion.height, spec.visual.global_.offheight)
     spec.visual.quality.offsamples = 0  # smoothed edges would be depths at which there is nothing
