@@ -33,25 +33,6 @@ Settings settings_with(const Settings& in_force, const SafetyControlConfig& cand
   return settings;
 }
 
-/// Shows the settings in force in the config that goes back to the caller.
-void show(const Settings& settings, SafetyControlConfig& config) {
-  dynamic_reconfigure::Config numbers;
-  config.__toMessage__(numbers);
-  for_each_parameter(settings, [&](const std::string& name, const auto& setting) {
-    using Value = std::decay_t<decltype(setting)>;
-    if constexpr (std::is_floating_point_v<Value>) {
-      for (auto& number : numbers.doubles) {
-        if (number.name == name) number.value = setting;
-      }
-    } else if constexpr (std::is_same_v<Value, std::size_t>) {
-      for (auto& number : numbers.ints) {
-        if (number.name == name) number.value = static_cast<int>(setting);
-      }
-    }
-  });
-  config.__fromMessage__(numbers);
-}
-
 }  // namespace
 
 Reconfigure::Reconfigure(const ros::NodeHandle& private_handle, SafetyControl& control)
@@ -63,8 +44,9 @@ void Reconfigure::on_candidate(SafetyControlConfig& candidate) {
   try {
     control_.take(settings_with(control_.settings(), candidate));
     candidate.refusal.clear();
+    in_force_ = candidate;
   } catch (const std::invalid_argument& problems) {
-    show(control_.settings(), candidate);
+    candidate = in_force_;
     candidate.refusal = problems.what();
     ROS_ERROR("refused to reconfigure: %s", problems.what());
   }

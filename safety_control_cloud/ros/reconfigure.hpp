@@ -19,6 +19,8 @@ class Reconfigure {
   void on_candidate(SafetyControlConfig& candidate);
 
   SafetyControl& control_;
+  /// As it was given: a float32 limit read back would show as -0.30000001192.
+  SafetyControlConfig in_force_ = SafetyControlConfig::__getDefault__();
   dynamic_reconfigure::Server<SafetyControlConfig> server_;
 };
 
