@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstring>
 
 #include "../../safety_control_cloud/core/passthrough.hpp"
@@ -14,6 +15,8 @@ namespace safety_control_cloud {
 namespace {
 
 constexpr std::uint64_t clouds = 10000;
+
+using Method = Sight (*)(const CloudView&, const Corridor&, const Gaze&);
 
 bool same_bits(const Point& a, const Point& b) { return std::memcmp(a.data, b.data, 3 * sizeof(float)) == 0; }
 
@@ -48,7 +51,7 @@ struct Seen {
   std::vector<std::uint16_t> pixels;
 };
 
-Seen seen_by(Sight (*method)(const CloudView&, const Corridor&, const Gaze&), const RandomCloud& cloud, Crop crop) {
+Seen seen_by(Method method, const RandomCloud& cloud, Crop crop) {
   PixelMemory memory = cloud.memory;
   Gaze gaze;
   gaze.crop = crop;
@@ -84,6 +87,48 @@ TEST_P(InstructionSet, OfAManyEquallyNearPointsTheFirstIsTheNearest) {
     std::vector<Xyz> some = points;
     for (std::size_t i = first; i < some.size(); ++i) some[i] = {static_cast<float>(i - first) * 1e-6f, 0.1f, 1.0f};
     EXPECT_EQ(look(view_of(some), {}).nearest->point.x, 0.0f) << first;
+  }
+}
+
+constexpr std::array<Method, 2> both_methods = {&look, &passthrough};
+
+/// A camera turned aside by 45 degrees: what is 3e38 m ahead of it and as far beside lies straight ahead of the robot,
+/// and farther than a float can tell.
+Placement looking_aside() {
+  constexpr float cos_45 = 0.70710678f;
+  Placement placement;
+  placement.rows = {{{cos_45, 0, -cos_45, 0}, {0, 1, 0, 0}, {cos_45, 0, cos_45, 0}}};
+  return placement;
+}
+const std::vector<Xyz> overflowing(40, {3e38f, 0.0f, 3e38f});
+
+TEST_P(InstructionSet, ReturnsThatOverflowWhenPlacedAreNotInside) {
+  const Placement placement = looking_aside();
+  Gaze gaze;
+  gaze.crop = Crop::Keep;
+  gaze.placement = &placement;
+  for (const Method method : both_methods) {
+    const Sight sight = method(view_of(overflowing), {}, gaze);
+    EXPECT_EQ(sight.returns, overflowing.size());
+    EXPECT_EQ(sight.inside, std::size_t{0});
+    EXPECT_TRUE(sight.crop->empty());
+    EXPECT_FALSE(sight.nearest);
+  }
+}
+
+TEST_P(InstructionSet, PixelsWhoseReturnsOverflowWhenPlacedAreNotLost) {
+  const Placement placement = looking_aside();
+  for (const Method method : both_methods) {
+    PixelMemory memory;
+    memory.distance = 0.75f, memory.width = overflowing.size(), memory.height = 1;
+    memory.pixels.assign(memory.width, PixelMemory::nothing);
+    Gaze gaze;
+    gaze.placement = &placement;
+    gaze.memory = &memory;
+    const std::vector<Xyz> near(overflowing.size(), {0.35f, 0.0f, 0.35f}), blank(overflowing.size(), {nan, nan, nan});
+    ASSERT_EQ(method(view_of(near), {}, gaze).inside, near.size());
+    EXPECT_EQ(method(view_of(overflowing), {}, gaze).lost, std::size_t{0}) << "they see past what was near";
+    EXPECT_EQ(method(view_of(blank), {}, gaze).lost, std::size_t{0}) << "and nothing near was seen since";
   }
 }
 
