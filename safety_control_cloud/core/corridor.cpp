@@ -115,6 +115,7 @@ std::optional<Obstacle> nearest_of(std::size_t too_close, const Cloud& inside, c
 Sight look(const CloudView& cloud, const Corridor& corridor, const Gaze& gaze) {
   const Runs runs(cloud);
   std::vector<float> nearest(runs.size());
+  if (gaze.memory) gaze.memory->start_cloud();
   const Cloud::Ptr crop(gaze.crop == Crop::Keep ? new Cloud : nullptr);
   const Counts counts = crop ? scan_and_crop(runs, corridor, gaze, nearest.data(), *crop)
                              : scan(runs, 0, runs.size(), corridor, gaze, nearest.data());
@@ -124,7 +125,7 @@ Sight look(const CloudView& cloud, const Corridor& corridor, const Gaze& gaze) {
   sight.too_close = counts.too_close;
   sight.returns = counts.returns;
   sight.total = cloud.size();
-  sight.lost = counts.lost;
+  if (gaze.memory) sight.lost = gaze.memory->near.lost;
   sight.crop = crop;
   return sight;
 }

@@ -26,7 +26,16 @@ bool is_picture(const CloudView& cloud) {
 
 bool is_lost(std::uint16_t pixel) { return PixelMemory::is_near(pixel); }  // near, and without the flag `now`
 
-std::uint16_t plus(std::uint16_t count, bool one) { return static_cast<std::uint16_t>(count + one); }
+/// The nearest pixel of those 2 x 2 of two rows that are all lost; not near if there are none.
+std::uint16_t nearest_lost_block(const std::uint16_t* above, const std::uint16_t* below, std::size_t width) {
+  std::uint16_t nearest = PixelMemory::nothing;
+  for (std::size_t i = 1; i < width; ++i) {
+    const std::uint16_t farthest = std::max(std::max(above[i - 1], above[i]), std::max(below[i - 1], below[i]));
+    const std::uint16_t least = std::min(std::min(above[i - 1], above[i]), std::min(below[i - 1], below[i]));
+    nearest = std::min(nearest, is_lost(farthest) ? least : PixelMemory::nothing);
+  }
+  return nearest;
+}
 
 }  // namespace
 
@@ -46,7 +55,7 @@ PixelMemory* NearLoss::memory_for(const CloudView& cloud) {
     memory_.pixels.assign(cloud.size(), PixelMemory::is_near(nearest) ? nearest : PixelMemory::nothing);
     memory_.width = cloud.width;
     memory_.height = cloud.height;
-    columns_.assign(cloud.width, Column{});
+    hid_floor_.assign(cloud.width, false);
     floor_ = FloorStrip{};
   }
   memory_.distance = static_cast<float>(limits_.distance);
@@ -72,62 +81,54 @@ std::optional<Loss> NearLoss::judge(const CloudView& cloud, const Sight& sight, 
 std::optional<Loss> NearLoss::judge_pixels(const Sight& sight) {
   floor_.survey(memory_);
   const bool something_near = sight.nearest && sight.nearest->distance() < limits_.distance;
-  if (sight.lost > 0 || something_near) {
-    count_columns();  // also while the floor is covered: who comes near meanwhile is to be let go again
-    release_columns_with_floor();
-  }
+  std::size_t lost = sight.lost;
+  // Also while the floor is covered: who comes near meanwhile is to be let go again.
+  if (lost > 0 || something_near) lost -= release_columns_with_floor();
   if (floor_.is_covered()) {
     return Loss{std::nullopt, true, "the near floor is hidden by something nearer than the camera can see"};
   }
-  return sight.lost > 0 ? lost_obstacle(sight) : std::nullopt;
+  return lost > 0 ? lost_obstacle(lost, sight.total) : std::nullopt;
 }
 
-void NearLoss::count_columns() {
-  for (Column& column : columns_) column = Column{0, 0, column.hid_floor};
-  for (std::size_t row = 0; row < memory_.height; ++row) {
-    const std::uint16_t* pixel = memory_.row(row);
-    for (Column& column : columns_) {
-      column.near_now =
-          plus(column.near_now, PixelMemory::is_now(*pixel) && PixelMemory::is_near(PixelMemory::code_of(*pixel)));
-      column.near_lost = plus(column.near_lost, is_lost(*pixel));
-      ++pixel;
-    }
-  }
-}
-
-void NearLoss::release_columns_with_floor() {
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    Column& column = columns_[i];
+/// How many lost pixels it lets go.
+std::size_t NearLoss::release_columns_with_floor() {
+  std::vector<std::size_t> free;
+  for (std::size_t i = 0; i < memory_.width; ++i) {
+    const bool near_now = PixelMemory::is_near(memory_.near.nearest_now[i]);
     const auto [shown, hidden, foot, blank] = floor_.columns()[i];
-    if (column.near_now > 0) column.hid_floor = hidden > 0 && 4 * hidden >= shown + hidden;
-    const bool floor_again = column.near_now == 0 && shown > 0 && 8 * hidden <= shown;
-    if (!column.hid_floor || !floor_again) continue;
-    for (std::size_t row = 0; row < memory_.height; ++row) {
-      std::uint16_t& pixel = memory_.row(row)[i];
-      if (is_lost(pixel)) pixel = PixelMemory::elsewhere;
-    }
-    column = Column{};
+    if (near_now) hid_floor_[i] = hidden > 0 && 4 * hidden >= shown + hidden;
+    const bool floor_again = !near_now && shown > 0 && 8 * hidden <= shown;
+    if (!hid_floor_[i] || !floor_again) continue;
+    hid_floor_[i] = false;
+    free.push_back(i);
   }
+  return release(free);
 }
 
-std::optional<Loss> NearLoss::lost_obstacle(const Sight& sight) const {
-  std::size_t lost = 0, near_now = 0;
-  for (const Column& column : columns_) {
-    lost += column.near_lost;
-    near_now += column.near_now;
-  }
-  if (lost == 0) return std::nullopt;
-
-  std::uint16_t nearest = PixelMemory::nothing;
-  for (std::size_t row = 1; row < memory_.height; ++row) {
-    const std::uint16_t *above = memory_.row(row - 1), *below = memory_.row(row);
-    for (std::size_t i = 1; i < memory_.width; ++i) {
-      const auto block = {above[i - 1], above[i], below[i - 1], below[i]};
-      if (is_lost(std::max(block))) nearest = std::min(nearest, std::min(block));
+std::size_t NearLoss::release(const std::vector<std::size_t>& columns) {
+  std::size_t released = 0;
+  if (columns.empty()) return released;
+  for (std::size_t row = 0; row < memory_.height; ++row) {
+    if (!PixelMemory::is_near(memory_.near.nearest_lost[row])) continue;
+    for (const std::size_t i : columns) {
+      std::uint16_t& pixel = memory_.row(row)[i];
+      if (!is_lost(pixel)) continue;
+      pixel = PixelMemory::elsewhere;
+      ++released;
     }
   }
-  if (nearest == PixelMemory::nothing) return std::nullopt;
-  const bool whole = lost > near_now && lost * obstacle_share >= sight.total;
+  return released;
+}
+
+std::optional<Loss> NearLoss::lost_obstacle(std::size_t lost, std::size_t total) const {
+  std::uint16_t nearest = PixelMemory::ground_zero;
+  for (std::size_t row = 1; row < memory_.height; ++row) {
+    const auto [nearer, farther] = std::minmax(memory_.near.nearest_lost[row - 1], memory_.near.nearest_lost[row]);
+    if (nearer >= nearest || !PixelMemory::is_near(farther)) continue;
+    nearest = std::min(nearest, nearest_lost_block(memory_.row(row - 1), memory_.row(row), memory_.width));
+  }
+  if (!PixelMemory::is_near(nearest)) return std::nullopt;
+  const bool whole = lost > memory_.near.now && lost * obstacle_share >= total;
   return Loss{PixelMemory::distance_of_near(nearest), whole,
               "an obstacle has stopped returning and nothing is seen behind it"};
 }

@@ -51,21 +51,14 @@ class NearLoss {
   std::optional<Loss> judge_pixels(const Sight& sight);
   std::optional<Loss> judge_nearest(const CloudView& cloud, const Sight& sight, const Corridor& corridor,
                                     const Gaze& gaze);
-  void count_columns();
-  void release_columns_with_floor();
-  std::optional<Loss> lost_obstacle(const Sight& sight) const;
-
-  /// Near pixels of one pixel column.
-  struct Column {
-    std::uint16_t near_now = 0;
-    std::uint16_t near_lost = 0;
-    bool hid_floor = false;  ///< what was last seen near in it stood on the floor
-  };
+  std::size_t release_columns_with_floor();
+  std::size_t release(const std::vector<std::size_t>& columns);
+  std::optional<Loss> lost_obstacle(std::size_t lost, std::size_t total) const;
 
   NearLossLimits limits_;
   PixelMemory memory_;
   FloorStrip floor_;
-  std::vector<Column> columns_;
+  std::vector<bool> hid_floor_;      ///< of each column: what was last seen near in it stood on the floor
   std::optional<Obstacle> nearest_;  ///< of a cloud that is not organised
   std::optional<double> lost_since_;
 };

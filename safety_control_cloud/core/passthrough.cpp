@@ -55,9 +55,7 @@ std::optional<Obstacle> nearest_in(const Cloud& inside) {
   return Obstacle{*std::find_if(inside.begin(), inside.end(), [&](const Point& point) { return point.z == low.z; })};
 }
 
-/// Brings the memory up to date; how many pixels have lost a near return in the corridor.
-std::size_t remember(const Cloud& cloud, const Cloud& placed, const Corridor& corridor, PixelMemory& memory) {
-  std::size_t lost = 0;
+void remember(const Cloud& cloud, const Cloud& placed, const Corridor& corridor, PixelMemory& memory) {
   for (std::size_t i = 0; i < placed.size(); ++i) {
     std::uint16_t& pixel = memory.pixels[i];
     const Point& point = cloud.points[i];
@@ -65,10 +63,10 @@ std::size_t remember(const Cloud& cloud, const Cloud& placed, const Corridor& co
         is_return(point.x, point.y, point.z, corridor);  // whether or not its place is too far for a float
     if (returned) pixel = remembered(placed.points[i], corridor, memory.distance);
     const std::uint16_t code = PixelMemory::code_of(pixel);
-    if (!returned && PixelMemory::is_near(code)) ++lost;
     pixel = static_cast<std::uint16_t>(returned ? code | PixelMemory::now : code);
   }
-  return lost;
+  memory.start_cloud();
+  memory.note(0, memory.pixels.size());
 }
 
 }  // namespace
@@ -91,7 +89,10 @@ Sight passthrough(const CloudView& view, const Corridor& corridor, const Gaze& g
   const Cloud::Ptr obstacles = picked(*points, *inside);
   sight.nearest = corridor.min_points == 1 && sight.too_close == 0 ? nearest_in(*obstacles)
                                                                    : nearest_of(sight.too_close, *obstacles, corridor);
-  if (gaze.memory) sight.lost = remember(*cloud, *points, corridor, *gaze.memory);
+  if (gaze.memory) {
+    remember(*cloud, *points, corridor, *gaze.memory);
+    sight.lost = gaze.memory->near.lost;
+  }
   if (gaze.crop == Crop::Keep) sight.crop = picked(*cloud, *inside);
   return sight;
 }

@@ -8,6 +8,14 @@
 
 namespace safety_control_cloud {
 
+/// What the latest cloud left in a PixelMemory: who looks for what is near need not go through all pixels again.
+struct NearPixels {
+  std::vector<std::uint16_t> nearest_now;   ///< of each column: the nearest return; none if the code is not near
+  std::vector<std::uint16_t> nearest_lost;  ///< of each row: the nearest that is lost; none if the code is not near
+  std::size_t now = 0;                      ///< pixels that return something near and in the corridor
+  std::size_t lost = 0;  ///< pixels that return nothing, and last did something near and in the corridor
+};
+
 /// What every pixel of an organised cloud returned last, in 16 bits so that a VGA image of it stays in the L2 cache.
 /// The low 15 bits are a code; the top bit is set if the pixel returned in the latest cloud.
 ///
@@ -18,6 +26,7 @@ namespace safety_control_cloud {
 struct PixelMemory {
   static constexpr std::uint16_t now = 0x8000;
   static constexpr std::uint16_t nothing = 0x7FFF;
+  static constexpr std::uint16_t none = nothing | now;  ///< more than any pixel
   static constexpr std::uint16_t elsewhere = 0x7FFE;
   static constexpr std::uint16_t ground_zero = 30000;
   static constexpr float near_per_metre = 10000.0f;
@@ -28,6 +37,7 @@ struct PixelMemory {
   std::size_t width = 0;
   std::size_t height = 0;
   std::vector<std::uint16_t> pixels;  ///< row by row
+  NearPixels near;
 
   static std::uint16_t near_code(float z) { return static_cast<std::uint16_t>(z * near_per_metre); }
   static std::uint16_t ground_code(float y) {
@@ -43,6 +53,26 @@ struct PixelMemory {
 
   const std::uint16_t* row(std::size_t i) const { return pixels.data() + i * width; }
   std::uint16_t* row(std::size_t i) { return pixels.data() + i * width; }
+
+  /// Empties `near`, before a cloud comes.
+  void start_cloud();
+  /// Counts a piece of a row into `near`, after its pixels have been brought up to date.
+  void note(std::size_t row, std::size_t column, std::size_t size);
+  /// note() for pixels that may lie in several rows.
+  void note(std::size_t first, std::size_t size) {
+    for_each_piece(first, size,
+                   [this](std::size_t row, std::size_t column, std::size_t some) { note(row, column, some); });
+  }
+
+  /// Calls visit(row, column, size) for the pieces of rows that the pixels [first, first + size) are.
+  template <class Visit>
+  void for_each_piece(std::size_t first, std::size_t size, Visit visit) const {
+    for (const std::size_t end = first + size; first < end;) {
+      const std::size_t row = first / width, column = first % width, some = std::min(width - column, end - first);
+      visit(row, column, some);
+      first += some;
+    }
+  }
 };
 
 }  // namespace safety_control_cloud

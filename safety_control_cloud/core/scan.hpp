@@ -17,13 +17,11 @@ struct Counts {
   std::size_t returns = 0;
   std::size_t inside = 0;
   std::size_t too_close = 0;
-  std::size_t lost = 0;
 
   Counts& operator+=(const Counts& other) {
     returns += other.returns;
     inside += other.inside;
     too_close += other.too_close;
-    lost += other.lost;
     return *this;
   }
 };

@@ -36,8 +36,9 @@ Counts scan(const Runs& runs, std::size_t begin, std::size_t end, const Corridor
       if (inside) nearest_of_run = std::min(nearest_of_run, point->z);
       if (!pixel) return;
       *pixel = updated(*pixel, point, corridor, gaze.memory->distance);
-      counts.lost += PixelMemory::is_near(*pixel++);
+      ++pixel;
     });
+    if (gaze.memory) gaze.memory->note(run.first, run.points.width);
     nearest[i] = nearest_of_run;
   }
   return counts;

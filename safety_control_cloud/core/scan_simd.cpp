@@ -15,6 +15,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 #include "scan_found-inl.hpp"
+#include "scan_pixels-inl.hpp"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
@@ -53,7 +54,6 @@ struct Counting {
 template <class Placing>
 struct Remembering : Counting<Placing> {
   Pixels pixels;
-  Tally lost;
 
   HWY_INLINE Remembering(const Corridor& corridor, const Gaze& gaze)
       : Counting<Placing>(corridor, gaze), pixels{gaze.memory->pixels.data(), all(gaze.memory->distance)} {}
@@ -65,12 +65,7 @@ struct Remembering : Counting<Placing> {
 
     const Integer kept = hn::And(pixels.at(column, size), all_of(PixelMemory::nothing));
     const Integer seen = remembered(placed, this->walls, pixels.near_distance);
-    const Integer pixel = hn::IfThenElse(hn::RebindMask(Integers(), returning), seen, kept);
-    // Not near or `now` is all that is more. Signed, because x86 compares nothing else so fast.
-    const hn::RebindToSigned<Integers> compared;
-    const auto is_lost = hn::Lt(hn::BitCast(compared, pixel), hn::Set(compared, PixelMemory::ground_zero));
-    lost.add(hn::RebindMask(Floats(), is_lost));
-    pixels.put(pixel, column, size);
+    pixels.put(hn::IfThenElse(hn::RebindMask(Integers(), returning), seen, kept), column, size);
   }
 };
 
@@ -113,15 +108,6 @@ std::size_t too_close_in(const Run& run, const Corridor& corridor, const Gaze& g
 }
 
 template <class Placing>
-std::size_t lost_in(const Counting<Placing>&) {
-  return 0;
-}
-template <class Placing>
-std::size_t lost_in(const Remembering<Placing>& remembering) {
-  return remembering.lost.total();
-}
-
-template <class Placing>
 void start(Counting<Placing>&, const Run&) {}
 template <class Placing>
 void start(Remembering<Placing>& remembering, const Run& run) {
@@ -140,8 +126,8 @@ Counts scan_with(const Runs& runs, std::size_t begin, std::size_t end, const Cor
     visit_run(run, visitor);
     nearest[i] = hn::GetLane(hn::MinOfLanes(Floats(), visitor.nearest));
     const bool any_too_close = hn::GetLane(hn::MinOfLanes(Floats(), visitor.lowest)) == -infinity;
-    counts += {visitor.returns.total(), visitor.inside.total(), any_too_close ? too_close_in(run, corridor, gaze) : 0,
-               lost_in(visitor)};
+    counts += {visitor.returns.total(), visitor.inside.total(), any_too_close ? too_close_in(run, corridor, gaze) : 0};
+    if (gaze.memory) note_pixels(run, *gaze.memory);  // while they are in the nearest cache
   }
   return counts;
 }

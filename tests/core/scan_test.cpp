@@ -49,7 +49,12 @@ INSTANTIATE_TEST_SUITE_P(With, InstructionSet, testing::ValuesIn(instruction_set
 struct Seen {
   Sight sight;
   std::vector<std::uint16_t> pixels;
+  NearPixels near;
 };
+
+bool same(const NearPixels& a, const NearPixels& b) {
+  return a.nearest_now == b.nearest_now && a.nearest_lost == b.nearest_lost && a.now == b.now && a.lost == b.lost;
+}
 
 Seen seen_by(Method method, const RandomCloud& cloud, Crop crop) {
   PixelMemory memory = cloud.memory;
@@ -58,7 +63,7 @@ Seen seen_by(Method method, const RandomCloud& cloud, Crop crop) {
   if (cloud.placement) gaze.placement = &*cloud.placement;
   if (memory.distance > 0.0f) gaze.memory = &memory;
   const Sight sight = method(cloud.view, cloud.corridor, gaze);
-  return {sight, memory.pixels};
+  return {sight, memory.pixels, memory.near};
 }
 
 TEST_P(InstructionSet, SeesInEveryCloudWhatPclSees) {
@@ -68,6 +73,7 @@ TEST_P(InstructionSet, SeesInEveryCloudWhatPclSees) {
     ASSERT_TRUE(same(seen.sight, expected.sight))
         << "seed " << seed << ": " << words(seen.sight) << "; PCL: " << words(expected.sight);
     ASSERT_EQ(seen.pixels, expected.pixels) << "seed " << seed;
+    ASSERT_TRUE(same(seen.near, expected.near)) << "seed " << seed;
   }
 }
 
@@ -78,6 +84,7 @@ TEST_P(InstructionSet, AskingForTheCropDoesNotChangeWhatIsSeen) {
     with.sight.crop.reset();
     ASSERT_TRUE(same(with.sight, without.sight)) << "seed " << seed;
     ASSERT_EQ(with.pixels, without.pixels) << "seed " << seed;
+    ASSERT_TRUE(same(with.near, without.near)) << "seed " << seed;
   }
 }
 
