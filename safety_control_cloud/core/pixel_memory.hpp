@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -19,8 +20,8 @@ struct NearPixels {
 /// What every pixel of an organised cloud returned last, in 16 bits so that a VGA image of it stays in the L2 cache.
 /// The low 15 bits are a code; the top bit is set if the pixel returned in the latest cloud.
 ///
-///   [0, ground_zero)        a near return in the corridor, its distance in 0.1 mm, rounded down
-///   [ground_zero, elsewhere)  a near return from below the corridor, how far below the camera in 1 mm, rounded down
+///   [0, ground_zero)        a near return in the corridor, its distance in 0.1 mm
+///   [ground_zero, elsewhere)  a near return from below the corridor, how far below the camera in 1 mm
 ///   elsewhere               a return from farther away or from beside the corridor
 ///   nothing                 no return yet
 struct PixelMemory {
@@ -39,11 +40,12 @@ struct PixelMemory {
   std::vector<std::uint16_t> pixels;  ///< row by row
   NearPixels near;
 
-  static std::uint16_t near_code(float z) { return static_cast<std::uint16_t>(z * near_per_metre); }
+  static std::uint16_t near_code(float z) { return rounded(z * near_per_metre); }
   static std::uint16_t ground_code(float y) {
     const float below = std::clamp(y, 0.0f, static_cast<float>(farthest));
-    return static_cast<std::uint16_t>(ground_zero + static_cast<std::uint16_t>(below * ground_per_metre));
+    return static_cast<std::uint16_t>(ground_zero + rounded(below * ground_per_metre));
   }
+  static std::uint16_t rounded(float value) { return static_cast<std::uint16_t>(std::nearbyint(value)); }
   static double distance_of_near(std::uint16_t code) { return code / double{near_per_metre}; }
 
   static bool is_now(std::uint16_t pixel) { return (pixel & now) != 0; }

@@ -105,20 +105,23 @@ HWY_INLINE Mask is_too_close(const Points& points, const Walls& walls, bool anyw
   return hn::And(at_minus_infinity, hn::And(x_maybe, y_maybe));
 }
 
-/// What pixels remember of returns at these places, with the flag `now`.
-HWY_INLINE Integer remembered(const Points& placed, const Walls& walls, Float near_distance) {
+/// What pixels remember of these points, with the flag `now`; 0 of those that are no returns. Only the low 16 bits of
+/// every lane mean something.
+HWY_INLINE Integer remembered(const Points& placed, const Walls& walls, Float near_distance, Mask returning) {
   const Mask near = hn::And(hn::Gt(placed.z, all(0.0f)), hn::Lt(placed.z, near_distance));
   const Mask in_sight = hn::And(walls.span(placed), hn::Ge(placed.y, walls.y_min));
   const Mask below = hn::Gt(placed.y, walls.y_max);
   const Float depth_below = hn::Min(hn::Max(placed.y, all(0.0f)), all(static_cast<float>(PixelMemory::farthest)));
   const Float metres = hn::IfThenElse(below, depth_below, placed.z);
   const Float per_metre = hn::IfThenElse(below, all(PixelMemory::ground_per_metre), all(PixelMemory::near_per_metre));
-  const Integer first = hn::IfThenElse(hn::RebindMask(Integers(), below),
-                                       all_of(PixelMemory::now | PixelMemory::ground_zero), all_of(PixelMemory::now));
-  const auto rounded_down = hn::ConvertTo(hn::RebindToSigned<Floats>(), hn::Mul(metres, per_metre));
-  const Integer code = hn::Add(first, hn::BitCast(Integers(), rounded_down));
-  return hn::IfThenElse(hn::RebindMask(Integers(), hn::And(near, in_sight)), code,
-                        all_of(PixelMemory::now | PixelMemory::elsewhere));
+  // From 2^23 on the bits of a float count in ones: adding rounds, as std::nearbyint does, and needs no conversion.
+  constexpr float two_to_23 = 8388608.0f;
+  const Float zero = hn::IfThenElse(below, all(two_to_23 + (PixelMemory::now | PixelMemory::ground_zero)),
+                                    all(two_to_23 + PixelMemory::now));
+  const Integer code = hn::BitCast(Integers(), hn::Add(hn::Mul(metres, per_metre), zero));
+  const Integer seen = hn::IfThenElse(hn::RebindMask(Integers(), hn::And(near, in_sight)), code,
+                                      all_of(PixelMemory::now | PixelMemory::elsewhere));
+  return hn::IfThenElseZero(hn::RebindMask(Integers(), returning), seen);
 }
 
 /// How many lanes were set in all masks.
@@ -137,29 +140,6 @@ class Tally {
 
  private:
   Integer count_;
-};
-
-/// The memory of a run's pixels.
-struct Pixels {
-  using Halves = hn::Rebind<std::uint16_t, Floats>;
-
-  std::uint16_t* first;
-  Float near_distance;
-
-  HWY_INLINE Integer at(std::size_t column, std::size_t size) const {
-    if (size == lanes) return hn::PromoteTo(Integers(), hn::LoadU(Halves(), first + column));
-    HWY_ALIGN std::uint16_t some[lanes];
-    std::fill_n(some, lanes, PixelMemory::nothing);
-    std::copy_n(first + column, size, some);
-    return hn::PromoteTo(Integers(), hn::Load(Halves(), some));
-  }
-  HWY_INLINE void put(Integer pixels, std::size_t column, std::size_t size) const {
-    const auto halves = hn::DemoteTo(Halves(), hn::BitCast(hn::RebindToSigned<Integers>(), pixels));
-    if (size == lanes) return hn::StoreU(halves, Halves(), first + column);
-    HWY_ALIGN std::uint16_t some[lanes];
-    hn::Store(halves, Halves(), some);
-    std::copy_n(some, size, first + column);
-  }
 };
 
 }  // namespace

@@ -7,14 +7,17 @@
 #define SAFETY_CONTROL_CLOUD_SCAN_PIXELS_INL
 #endif
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include "pixel_memory.hpp"
 #include "runs.hpp"
+#include "scan.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace safety_control_cloud {
@@ -46,17 +49,31 @@ class CodeTally {
   Code count_;
 };
 
-/// PixelMemory::note(), as many pixels at a time as a vector has lanes.
-HWY_NOINLINE void note_piece(PixelMemory& memory, std::size_t row, std::size_t column, std::size_t size) {
+/// What the pixels of a run are to remember of a cloud, with the flag `now`; 0 where they return nothing. A vector is
+/// stored whole, wherever its last point ends.
+using SeenPixels = std::array<std::uint16_t, Runs::longest + Inside::longest_vector>;
+
+/// Asks for the memory of a run's pixels, so that it has come when the run has been scanned.
+HWY_INLINE void fetch_pixels(const Run& run, const PixelMemory& memory) {
+  constexpr std::size_t cache_line = 64 / sizeof(std::uint16_t);
+  const std::uint16_t* pixels = memory.pixels.data() + run.first;
+  for (std::size_t i = 0; i < run.points.width; i += cache_line) hwy::Prefetch(pixels + i);
+}
+
+/// Brings a piece of a row up to date, and PixelMemory::note().
+HWY_NOINLINE void remember_piece(const std::uint16_t* seen, PixelMemory& memory, std::size_t row, std::size_t column,
+                                 std::size_t size) {
   const Codes tag;
   const Code near_end = hn::Set(tag, PixelMemory::ground_zero), flag = hn::Set(tag, PixelMemory::now);
-  const std::uint16_t* pixels = memory.row(row) + column;
+  std::uint16_t* pixels = memory.row(row) + column;
   std::uint16_t* nearest_now = memory.near.nearest_now.data() + column;
   Code nearest_lost = hn::Set(tag, PixelMemory::none);
   CodeTally now, lost;
   std::size_t i = 0;
   for (; i + codes <= size; i += codes) {
-    const Code pixel = hn::LoadU(tag, pixels + i), flipped = hn::Xor(pixel, flag);
+    const Code kept = hn::AndNot(flag, hn::LoadU(tag, pixels + i));
+    const Code pixel = hn::Max(hn::LoadU(tag, seen + i), kept), flipped = hn::Xor(pixel, flag);  // `now` is more
+    hn::StoreU(pixel, tag, pixels + i);
     hn::StoreU(hn::Min(hn::LoadU(tag, nearest_now + i), flipped), tag, nearest_now + i);
     nearest_lost = hn::Min(nearest_lost, pixel);
     now.add(hn::Lt(flipped, near_end));
@@ -66,12 +83,17 @@ HWY_NOINLINE void note_piece(PixelMemory& memory, std::size_t row, std::size_t c
   nearest_lost_in_row = std::min(nearest_lost_in_row, hn::GetLane(hn::MinOfLanes(tag, nearest_lost)));
   memory.near.now += now.total();
   memory.near.lost += lost.total();
+  for (std::size_t rest = i; rest < size; ++rest) {
+    pixels[rest] = std::max(seen[rest], PixelMemory::code_of(pixels[rest]));
+  }
   memory.note(row, column + i, size - i);
 }
 
-void note_pixels(const Run& run, PixelMemory& memory) {
+void remember_pixels(const Run& run, const SeenPixels& seen, PixelMemory& memory) {
+  const std::uint16_t* piece = seen.data();
   memory.for_each_piece(run.first, run.points.width, [&](std::size_t row, std::size_t column, std::size_t size) {
-    note_piece(memory, row, column, size);
+    remember_piece(piece, memory, row, column, size);
+    piece += size;
   });
 }
 

@@ -138,14 +138,14 @@ struct Copied {
   }
 };
 
-/// Lets the visitor take `size` points, which stand `shift` columns into the run. A function of its own, so that the
+/// Lets the visitor take `size` points, which stand `shift` columns into the run, and NaN to the end of a vector that
+/// they do not fill, as in Copied. A function of its own, so that the
 /// compiler keeps what the visitor counts in registers.
 template <class Source, class Visitor>
 HWY_NOINLINE void visit_points(const Source& points, std::size_t size, std::size_t shift, Visitor& visitor) {
   Visitor local = visitor;
   std::size_t column = 0;
-  for (; column + lanes <= size; column += lanes) local.take(points.at(column), shift + column, lanes);
-  if (column < size) local.take(points.at(column), shift + column, size - column);
+  for (; column < size; column += lanes) local.take(points.at(column), shift + column);
   visitor = local;
 }
 

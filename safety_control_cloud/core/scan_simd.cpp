@@ -37,7 +37,7 @@ struct Counting {
   HWY_INLINE Counting(const Corridor& corridor, const Gaze& gaze)
       : walls(corridor), place(gaze), nearest(all(infinity)), lowest(nearest) {}
 
-  HWY_INLINE void take(const Points& points, std::size_t, std::size_t) {
+  HWY_INLINE void take(const Points& points, std::size_t) {
     note(points, place(points), is_return(points, walls));
   }
 
@@ -50,22 +50,22 @@ struct Counting {
   }
 };
 
-/// Counts, and lets the pixels remember.
+/// Counts, and writes down what the pixels are to remember.
 template <class Placing>
 struct Remembering : Counting<Placing> {
-  Pixels pixels;
+  Float near_distance;
+  std::uint16_t* seen;
 
-  HWY_INLINE Remembering(const Corridor& corridor, const Gaze& gaze)
-      : Counting<Placing>(corridor, gaze), pixels{gaze.memory->pixels.data(), all(gaze.memory->distance)} {}
+  HWY_INLINE Remembering(const Corridor& corridor, const Gaze& gaze, SeenPixels& pixels)
+      : Counting<Placing>(corridor, gaze), near_distance(all(gaze.memory->distance)), seen(pixels.data()) {}
 
-  HWY_INLINE void take(const Points& points, std::size_t column, std::size_t size) {
+  HWY_INLINE void take(const Points& points, std::size_t column) {
     const Points placed = this->place(points);
     const Mask returning = is_return(points, this->walls);
     this->note(points, placed, returning);
 
-    const Integer kept = hn::And(pixels.at(column, size), all_of(PixelMemory::nothing));
-    const Integer seen = remembered(placed, this->walls, pixels.near_distance);
-    pixels.put(hn::IfThenElse(hn::RebindMask(Integers(), returning), seen, kept), column, size);
+    const hn::Rebind<std::uint16_t, Floats> halves;
+    hn::Store(hn::TruncateTo(halves, remembered(placed, this->walls, near_distance, returning)), halves, seen + column);
   }
 };
 
@@ -78,7 +78,7 @@ struct CountingTooClose {
   HWY_INLINE CountingTooClose(const Corridor& corridor, const Gaze& gaze)
       : walls(corridor), anywhere(gaze.placement != nullptr) {}
 
-  HWY_INLINE void take(const Points& points, std::size_t, std::size_t) {
+  HWY_INLINE void take(const Points& points, std::size_t) {
     too_close.add(is_too_close(points, walls, anywhere));
   }
 };
@@ -93,7 +93,7 @@ struct Listing {
   HWY_INLINE Listing(const Corridor& corridor, const Gaze& gaze, Inside& inside)
       : walls(corridor), place(gaze), found(&inside) {}
 
-  HWY_INLINE void take(const Points& points, std::size_t column, std::size_t) {
+  HWY_INLINE void take(const Points& points, std::size_t column) {
     const Mask inside = place.inside(place(points), walls, is_return(points, walls));
     const Integer columns = hn::Iota(Integers(), static_cast<std::uint32_t>(column));
     std::uint32_t* end = found->columns.data() + found->size;
@@ -107,39 +107,40 @@ std::size_t too_close_in(const Run& run, const Corridor& corridor, const Gaze& g
   return counting.too_close.total();
 }
 
-template <class Placing>
-void start(Counting<Placing>&, const Run&) {}
-template <class Placing>
-void start(Remembering<Placing>& remembering, const Run& run) {
-  remembering.pixels.first += run.first;
+/// Counts the points of a run.
+template <class Visitor>
+Counts scan_run(const Run& run, const Visitor& fresh, const Corridor& corridor, const Gaze& gaze, float& nearest) {
+  Visitor visitor = fresh;
+  visit_run(run, visitor);
+  nearest = hn::GetLane(hn::MinOfLanes(Floats(), visitor.nearest));
+  const bool any_too_close = hn::GetLane(hn::MinOfLanes(Floats(), visitor.lowest)) == -infinity;
+  return {visitor.returns.total(), visitor.inside.total(), any_too_close ? too_close_in(run, corridor, gaze) : 0};
 }
 
-template <class Visitor>
+template <class Placing>
 Counts scan_with(const Runs& runs, std::size_t begin, std::size_t end, const Corridor& corridor, const Gaze& gaze,
                  float* nearest) {
-  const Visitor fresh(corridor, gaze);
   Counts counts;
+  if (!gaze.memory) {
+    const Counting<Placing> fresh(corridor, gaze);
+    for (std::size_t i = begin; i < end; ++i) counts += scan_run(runs[i], fresh, corridor, gaze, nearest[i]);
+    return counts;
+  }
+  HWY_ALIGN SeenPixels seen;
+  const Remembering<Placing> fresh(corridor, gaze, seen);
   for (std::size_t i = begin; i < end; ++i) {
     const Run run = runs[i];
-    Visitor visitor = fresh;
-    start(visitor, run);
-    visit_run(run, visitor);
-    nearest[i] = hn::GetLane(hn::MinOfLanes(Floats(), visitor.nearest));
-    const bool any_too_close = hn::GetLane(hn::MinOfLanes(Floats(), visitor.lowest)) == -infinity;
-    counts += {visitor.returns.total(), visitor.inside.total(), any_too_close ? too_close_in(run, corridor, gaze) : 0};
-    if (gaze.memory) note_pixels(run, *gaze.memory);  // while they are in the nearest cache
+    fetch_pixels(run, *gaze.memory);
+    counts += scan_run(run, fresh, corridor, gaze, nearest[i]);
+    remember_pixels(run, seen, *gaze.memory);
   }
   return counts;
 }
 
 Counts scan(const Runs& runs, std::size_t begin, std::size_t end, const Corridor& corridor, const Gaze& gaze,
             float* nearest) {
-  if (gaze.placement) {
-    return gaze.memory ? scan_with<Remembering<Placed>>(runs, begin, end, corridor, gaze, nearest)
-                       : scan_with<Counting<Placed>>(runs, begin, end, corridor, gaze, nearest);
-  }
-  return gaze.memory ? scan_with<Remembering<Unplaced>>(runs, begin, end, corridor, gaze, nearest)
-                     : scan_with<Counting<Unplaced>>(runs, begin, end, corridor, gaze, nearest);
+  return gaze.placement ? scan_with<Placed>(runs, begin, end, corridor, gaze, nearest)
+                        : scan_with<Unplaced>(runs, begin, end, corridor, gaze, nearest);
 }
 
 template <class Placing>
