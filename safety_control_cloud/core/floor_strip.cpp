@@ -10,11 +10,14 @@ namespace {
 /// A post of 2 cm at 0.4 m, where an Xtion goes blind, takes 1/24 of its 60 degrees.
 constexpr std::size_t post_share_of_width = 24;
 
-/// The floor moves by 2 % in a row when the robot pitches by half a degree; a foot stands out by more than this.
-bool is_floor(std::uint16_t code, std::uint16_t lowest) {
-  const int below = code - PixelMemory::ground_zero, floor = lowest - PixelMemory::ground_zero;
-  return below * 20 >= floor * 19;
+/// The least code that is still floor in a row; those from it on are the floor, or elsewhere. The floor moves by 2 %
+/// when the robot pitches by half a degree; a foot stands out by more than this.
+std::uint16_t least_floor(std::uint16_t lowest) {
+  const int floor = lowest - PixelMemory::ground_zero;
+  return static_cast<std::uint16_t>(PixelMemory::ground_zero + (floor * 19 + 19) / 20);
 }
+
+std::uint16_t plus(std::uint16_t count, bool one) { return static_cast<std::uint16_t>(count + one); }
 
 /// From the first pixel of a row that returned at some time to behind the last: cameras leave a border of their
 /// pictures empty, but a gap between floor and floor hides something, even if it was there from the start.
@@ -39,33 +42,32 @@ void FloorStrip::survey(const PixelMemory& memory) {
 /// False where the strip ends.
 bool FloorStrip::learn_row(const PixelMemory& memory, std::size_t row) {
   const std::uint16_t* pixels = memory.row(row);
-  std::uint16_t lowest = lowest_[row];
-  for (std::size_t i = 1; i < memory.width; ++i) {
-    const std::uint16_t left = PixelMemory::code_of(pixels[i - 1]), right = PixelMemory::code_of(pixels[i]);
-    const bool both = PixelMemory::is_ground(left) && PixelMemory::is_ground(right);  // one alone may be noise
-    if (both) lowest = std::max(lowest, std::min(left, right));
+  int found = lowest_[row];  // compilers make vectors of a maximum of int
+  for (std::size_t i = 1, width = memory.width; i < width; ++i) {
+    const int left = PixelMemory::code_of(pixels[i - 1]), right = PixelMemory::code_of(pixels[i]);
+    const int least = std::min(left, right), most = std::max(left, right);  // one alone may be noise
+    const bool both = (least >= PixelMemory::ground_zero) & (most < PixelMemory::elsewhere);
+    found = std::max(found, both ? least : 0);
   }
+  const auto lowest = static_cast<std::uint16_t>(found);
   lowest_[row] = lowest;
   floor_ = std::max(floor_, lowest);
-  return lowest > 0 && is_floor(lowest, floor_);
+  return lowest > 0 && lowest >= least_floor(floor_);
 }
 
 void FloorStrip::count_row(const PixelMemory& memory, std::size_t row) {
   const std::uint16_t* pixels = memory.row(row);
   const auto [first, last] = span_of_returns(pixels, memory.width);
+  const std::uint16_t floor = least_floor(lowest_[row]);
+  Column* columns = columns_.data();
   for (std::size_t i = first; i < last; ++i) {
     const std::uint16_t pixel = pixels[i], code = PixelMemory::code_of(pixel);
-    Column& column = columns_[i];
-    if (code == PixelMemory::nothing) {
-      ++column.blank;
-      continue;
-    }
-    const bool seen_past =
-        code == PixelMemory::elsewhere || (PixelMemory::is_ground(code) && is_floor(code, lowest_[row]));
-    const bool now = PixelMemory::is_now(pixel);
-    ++(now && seen_past ? column.shown : column.hidden);
-    if (!now) ++column.blank;
-    if (now && !seen_past) ++column.foot;
+    const bool now = PixelMemory::is_now(pixel), seen_past = code >= floor, ever = code != PixelMemory::nothing;
+    Column& column = columns[i];
+    column.shown = plus(column.shown, now & seen_past);
+    column.hidden = plus(column.hidden, ever & !(now & seen_past));
+    column.foot = plus(column.foot, now & !seen_past);
+    column.blank = plus(column.blank, !now);
   }
 }
 
