@@ -27,6 +27,15 @@ std::vector<float> depths_of(const Cloud& cloud) {
   return depths;
 }
 
+const Obstacle too_close_to_measure = {Point(0.0f, 0.0f, 0.0f)};
+
+/// How many of the points inside, by z, come before the one that makes an obstacle, as the points that are too close
+/// come first of all; none if these suffice.
+std::optional<std::size_t> rank_of(std::size_t too_close, const Corridor& corridor) {
+  if (too_close >= corridor.min_points) return std::nullopt;
+  return corridor.min_points - too_close - 1;
+}
+
 /// The first point at distance z [m], of which there is one.
 Obstacle first_at(const Cloud& cloud, float z) {
   return {*std::find_if(cloud.begin(), cloud.end(), [&](const Point& point) { return point.z == z; })};
@@ -79,13 +88,13 @@ Cloud candidates_in(const Runs& runs, const std::vector<float>& nearest, float f
 /// nearest_of() without a list of all points inside.
 std::optional<Obstacle> nearest_in(const Runs& runs, const std::vector<float>& nearest, const Counts& counts,
                                    const Corridor& corridor, const Gaze& gaze) {
-  if (counts.too_close >= corridor.min_points) return Obstacle{Point(0.0f, 0.0f, 0.0f)};
-  const std::size_t rank = corridor.min_points - counts.too_close - 1;
-  if (rank >= counts.inside) return std::nullopt;
+  const auto rank = rank_of(counts.too_close, corridor);
+  if (!rank) return too_close_to_measure;
+  if (*rank >= counts.inside) return std::nullopt;
 
-  const float farthest = ranked(nearest, rank);
+  const float farthest = ranked(nearest, *rank);
   const Cloud candidates = candidates_in(runs, nearest, farthest, corridor, gaze);
-  return first_at(candidates, std::min(farthest, ranked(depths_of(candidates), rank)));
+  return first_at(candidates, std::min(farthest, ranked(depths_of(candidates), *rank)));
 }
 
 }  // namespace
@@ -106,10 +115,10 @@ std::uint16_t remembered(const Point& point, const Corridor& corridor, float nea
 }
 
 std::optional<Obstacle> nearest_of(std::size_t too_close, const Cloud& inside, const Corridor& corridor) {
-  if (too_close >= corridor.min_points) return Obstacle{Point(0.0f, 0.0f, 0.0f)};
-  const std::size_t rank = corridor.min_points - too_close - 1;
-  if (rank >= inside.size()) return std::nullopt;
-  return first_at(inside, ranked(depths_of(inside), rank));
+  const auto rank = rank_of(too_close, corridor);
+  if (!rank) return too_close_to_measure;
+  if (*rank >= inside.size()) return std::nullopt;
+  return first_at(inside, ranked(depths_of(inside), *rank));
 }
 
 Sight look(const CloudView& cloud, const Corridor& corridor, const Gaze& gaze) {
