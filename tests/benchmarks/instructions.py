@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Instructions that one look() at a VGA cloud takes, counted by callgrind: the figure that moves with no machine."""
+"""Instructions that one look() at a VGA cloud takes, counted by callgrind: the figure that moves with no machine.
+
+The way "near_loss" is with the memory of what came near, and NearLoss::judge().
+"""
+import itertools
 import json
 import re
 import subprocess
@@ -11,6 +15,7 @@ PROGRAM = ROOT / "build" / "tests" / "benchmarks" / "kernel_instructions"
 STORED = Path(__file__).with_name("instructions.json")
 POINTS = 640 * 480
 STEPS = (12, 16, 20, 32)
+WAYS = ("look", "near_loss")
 COUNTED_BY_CALLGRIND = ("AVX2", "SSE4", "PORTABLE")  # of what the kernel has, what valgrind can run
 
 
@@ -20,9 +25,9 @@ def built_with() -> Tuple[str, List[str]]:
     return compiler, [name for name in sets if name in COUNTED_BY_CALLGRIND]
 
 
-def instructions_per_point(step: int, instruction_set: str) -> float:
-    command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", "--toggle-collect=safety_control_cloud::look*"]
-    result = subprocess.run([*command, PROGRAM, str(step), instruction_set], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+def instructions_per_point(step: int, instruction_set: str, way: str) -> float:
+    command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", "--toggle-collect=*counted(*"]
+    result = subprocess.run([*command, PROGRAM, str(step), instruction_set, way], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     collected = re.search(r"Collected : (\d+)", result.stderr)
     if result.returncode != 0 or not collected or collected[1] == "0":
         raise RuntimeError(f"callgrind counted nothing:\n{result.stderr}")
@@ -30,9 +35,10 @@ def instructions_per_point(step: int, instruction_set: str) -> float:
 
 
 def count() -> Dict[str, float]:
-    """"SET/step_N" -> instructions per point."""
+    """"SET/step_N/WAY" -> instructions per point."""
     _, sets = built_with()
-    return {f"{name}/step_{step}": round(instructions_per_point(step, name), 3) for name in sets for step in STEPS}
+    cases = itertools.product(sets, STEPS, WAYS)
+    return {f"{name}/step_{step}/{way}": round(instructions_per_point(step, name, way), 3) for name, step, way in cases}
 
 
 def stored() -> Dict[str, Dict[str, float]]:

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One look() at one VGA cloud, for callgrind to count: kernel_instructions POINT_STEP INSTRUCTION_SET
+// What a decision looks at in one VGA cloud, for callgrind to count: kernel_instructions POINT_STEP INSTRUCTION_SET WAY
+// The way is look, or near_loss: with the memory of what came near, of which some has been lost.
 // Without arguments it prints the compiler and its instruction sets, a line each.
 #include <cstdlib>
 #include <iostream>
 
-#include "../../safety_control_cloud/core/corridor.hpp"
+#include "../../safety_control_cloud/core/near_loss.hpp"
 #include "../../safety_control_cloud/core/scan.hpp"
 #include "scenes.hpp"
 
@@ -20,6 +21,16 @@ constexpr const char* compiler = "gcc";
 constexpr int version = __GNUC__;
 #endif
 
+void look_and_judge(const CloudView& cloud, NearLoss& near_loss) {
+  Gaze gaze;
+  gaze.memory = near_loss.memory_for(cloud);
+  const Sight sight = look(cloud, Corridor{}, gaze);
+  near_loss.judge(cloud, sight, Corridor{}, gaze, 0.0);
+}
+
+/// Callgrind counts what happens in here.
+[[gnu::noinline]] void counted(const CloudView& cloud, NearLoss& near_loss) { look_and_judge(cloud, near_loss); }
+
 int describe() {
   std::cout << compiler << ' ' << version << '\n';
   for (const auto& name : instruction_sets()) std::cout << name << '\n';
@@ -30,13 +41,18 @@ int describe() {
 
 int main(int argc, char** argv) {
   if (argc == 1) return describe();
-  if (argc != 3) return 2;
+  if (argc != 4) return 2;
   Picture picture;
   picture.scene = "mixed";
   picture.nan_share = 0.3;
   picture.point_step = static_cast<std::size_t>(std::strtoul(argv[1], nullptr, 10));
-  const auto bytes = bytes_of(picture);
   use_instruction_set(argv[2]);
-  const Sight sight = look(view_of(picture, bytes.data()), Corridor{});
-  std::cout << sight.inside << " points inside\n";
+  NearLossLimits limits;
+  if (argv[3] != std::string("near_loss")) limits.distance = 0.0;
+  NearLoss near_loss(limits);
+  Picture before = picture;
+  before.nan_share = 0.0;
+  const auto all_return = bytes_of(before), some_do_not = bytes_of(picture);
+  look_and_judge(view_of(before, all_return.data()), near_loss);
+  counted(view_of(picture, some_do_not.data()), near_loss);
 }

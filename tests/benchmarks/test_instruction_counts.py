@@ -24,9 +24,10 @@ def allowed():
     return instructions.stored()[compiler]
 
 
+@pytest.mark.parametrize("way", instructions.WAYS)
 @pytest.mark.parametrize("step", instructions.STEPS)
 @pytest.mark.parametrize("name", instructions.COUNTED_BY_CALLGRIND)
-def test_the_kernel_takes_no_more_instructions_than_it_did(allowed, name, step):
+def test_the_kernel_takes_no_more_instructions_than_it_did(allowed, name, step, way):
     if name not in instructions.built_with()[1]:
         pytest.skip(f"{name} is not in this build")
-    assert instructions.instructions_per_point(step, name) <= GROWTH * allowed[f"{name}/step_{step}"]
+    assert instructions.instructions_per_point(step, name, way) <= GROWTH * allowed[f"{name}/step_{step}/{way}"]
