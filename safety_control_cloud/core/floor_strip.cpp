@@ -42,14 +42,16 @@ void FloorStrip::survey(const PixelMemory& memory) {
 /// False where the strip ends.
 bool FloorStrip::learn_row(const PixelMemory& memory, std::size_t row) {
   const std::uint16_t* pixels = memory.row(row);
-  int found = lowest_[row];  // compilers make vectors of a maximum of int
+  using Code = std::int16_t;  // codes have 15 bits, and every vector unit compares these fastest
+  Code found = static_cast<Code>(lowest_[row]);
   for (std::size_t i = 1, width = memory.width; i < width; ++i) {
-    const int left = PixelMemory::code_of(pixels[i - 1]), right = PixelMemory::code_of(pixels[i]);
-    const int least = std::min(left, right), most = std::max(left, right);  // one alone may be noise
-    const bool both = (least >= PixelMemory::ground_zero) & (most < PixelMemory::elsewhere);
-    found = std::max(found, both ? least : 0);
+    const auto left = static_cast<Code>(PixelMemory::code_of(pixels[i - 1]));
+    const auto right = static_cast<Code>(PixelMemory::code_of(pixels[i]));
+    const Code least = std::min(left, right), most = std::max(left, right);  // one alone may be noise
+    const Code ground = most < Code{PixelMemory::elsewhere} ? least : Code{0};
+    found = std::max(found, ground);
   }
-  const auto lowest = static_cast<std::uint16_t>(found);
+  const std::uint16_t lowest = found >= PixelMemory::ground_zero ? static_cast<std::uint16_t>(found) : lowest_[row];
   lowest_[row] = lowest;
   floor_ = std::max(floor_, lowest);
   return lowest > 0 && lowest >= least_floor(floor_);
