@@ -10,6 +10,9 @@ namespace {
 /// A post of 2 cm at 0.4 m, where an Xtion goes blind, takes 1/24 of its 60 degrees.
 constexpr std::size_t post_share_of_width = 24;
 
+/// A row's floor rises by this in a cloud in which none is seen as low [mm]: after a bump it is back in a second.
+constexpr std::uint16_t forgotten = 1;
+
 /// The least code that is still floor in a row; those from it on are the floor, or elsewhere. The floor moves by 2 %
 /// when the robot pitches by half a degree; a foot stands out by more than this.
 std::uint16_t least_floor(std::uint16_t lowest) {
@@ -33,28 +36,39 @@ std::pair<std::size_t, std::size_t> span_of_returns(const std::uint16_t* pixels,
 void FloorStrip::survey(const PixelMemory& memory) {
   if (lowest_.size() != memory.height) lowest_.assign(memory.height, 0);
   columns_.assign(memory.width, Column{});
-  for (std::size_t row = memory.height; row-- > 0;) {
-    if (!learn_row(memory, row)) return;
-    count_row(memory, row);
+  std::uint16_t floor = 0;  // the lowest of all rows so far
+  for (top_ = memory.height; top_ > 0; --top_) {
+    const std::uint16_t lowest = learned(memory, top_ - 1);
+    floor = std::max(floor, lowest);
+    if (lowest == 0 || lowest < least_floor(floor)) return;
+    count_row(memory, top_ - 1);
   }
 }
 
-/// False where the strip ends.
-bool FloorStrip::learn_row(const PixelMemory& memory, std::size_t row) {
+/// The lowest ground return of a row, as far as it is remembered.
+std::uint16_t FloorStrip::learned(const PixelMemory& memory, std::size_t row) {
   const std::uint16_t* pixels = memory.row(row);
   using Code = std::int16_t;  // codes have 15 bits, and every vector unit compares these fastest
-  Code found = static_cast<Code>(lowest_[row]);
+  Code now = 0;
   for (std::size_t i = 1, width = memory.width; i < width; ++i) {
     const auto left = static_cast<Code>(PixelMemory::code_of(pixels[i - 1]));
     const auto right = static_cast<Code>(PixelMemory::code_of(pixels[i]));
     const Code least = std::min(left, right), most = std::max(left, right);  // one alone may be noise
     const Code ground = most < Code{PixelMemory::elsewhere} ? least : Code{0};
-    found = std::max(found, ground);
+    now = std::max(now, ground);
   }
-  const std::uint16_t lowest = found >= PixelMemory::ground_zero ? static_cast<std::uint16_t>(found) : lowest_[row];
-  lowest_[row] = lowest;
-  floor_ = std::max(floor_, lowest);
-  return lowest > 0 && lowest >= least_floor(floor_);
+  std::uint16_t& lowest = lowest_[row];
+  const bool any = now >= PixelMemory::ground_zero;  // where the row is blank, nothing speaks against what was seen
+  if (any) lowest = static_cast<std::uint16_t>(std::max<int>(now, lowest - forgotten));
+  return lowest;
+}
+
+bool FloorStrip::is_reached(const PixelMemory& memory, std::size_t column) const {
+  std::size_t row = top_;
+  while (row > 0 && PixelMemory::is_ground(PixelMemory::code_of(memory.row(row - 1)[column]))) --row;
+  if (row == 0) return false;
+  const std::uint16_t pixel = memory.row(row - 1)[column];
+  return PixelMemory::is_now(pixel) && PixelMemory::is_near(PixelMemory::code_of(pixel));
 }
 
 void FloorStrip::count_row(const PixelMemory& memory, std::size_t row) {

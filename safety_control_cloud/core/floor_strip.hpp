@@ -10,8 +10,9 @@ namespace safety_control_cloud {
 
 /// The near floor, in the lowest rows of an organised cloud: what stands in a pixel column nearer than it hides it.
 /// It is found in the memory itself: rows, from the lowest up, with near returns below the corridor. How low the floor
-/// lies in a row is the lowest such return; what lies clearly higher is the foot of something. A row in which all lie
-/// higher than the floor of another shows feet alone: the strip ends there.
+/// lies in a row is the lowest such return, soon forgotten where none lies as low again: one bump of the robot must not
+/// make feet of the floor. What lies clearly higher is the foot of something. A row in which all lie higher than the
+/// floor of another shows feet alone: the strip ends there.
 class FloorStrip {
  public:
   /// Of one pixel column, the pixels of the strip.
@@ -27,15 +28,18 @@ class FloorStrip {
 
   const std::vector<Column>& columns() const { return columns_; }
 
+  /// Whether what is seen near now in a pixel column reaches down to the strip without a gap: nearer, it would hide it.
+  bool is_reached(const PixelMemory& memory, std::size_t column) const;
+
   /// Whether the strip is blank over the width of a post: something stands nearer than the camera can see.
   bool is_covered() const;
 
  private:
-  bool learn_row(const PixelMemory& memory, std::size_t row);
+  std::uint16_t learned(const PixelMemory& memory, std::size_t row);
   void count_row(const PixelMemory& memory, std::size_t row);
 
   std::vector<std::uint16_t> lowest_;  ///< code of the lowest ground return of each row; 0 = none
-  std::uint16_t floor_ = 0;            ///< the lowest of them all
+  std::size_t top_ = 0;                ///< its highest row; behind the last if there is none
   std::vector<Column> columns_;
 };
 

@@ -14,6 +14,12 @@ namespace {
 constexpr std::size_t obstacle_share = 1000;
 /// A return this little beside the ray of a kept point lies behind it: tan of about 1 degree.
 constexpr float behind_slope = 0.02f;
+/// The edge of what stands upright leans in the picture, as the robot pitches, by at most this share of its width: what
+/// a column shows near the edge reaches the floor in another one.
+constexpr std::size_t edge_share = 128;
+/// Remembered from this much farther than it counts, so that noise at the limit does not decide, pixel by pixel, what
+/// is known of an obstacle.
+constexpr double margin = 1.04;
 /// An obstacle that is seen this little farther than before has moved away, not vanished [m].
 constexpr double retreat = 0.1;
 
@@ -58,7 +64,7 @@ PixelMemory* NearLoss::memory_for(const CloudView& cloud) {
     hid_floor_.assign(cloud.width, false);
     floor_ = FloorStrip{};
   }
-  memory_.distance = static_cast<float>(limits_.distance);
+  memory_.distance = static_cast<float>(margin * limits_.distance);
   return &memory_;
 }
 
@@ -80,14 +86,31 @@ std::optional<Loss> NearLoss::judge(const CloudView& cloud, const Sight& sight, 
 
 std::optional<Loss> NearLoss::judge_pixels(const Sight& sight) {
   floor_.survey(memory_);
-  const bool something_near = sight.nearest && sight.nearest->distance() < limits_.distance;
+  const bool something_near = sight.nearest && sight.nearest->distance() < memory_.distance;
   std::size_t lost = sight.lost;
   // Also while the floor is covered: who comes near meanwhile is to be let go again.
-  if (lost > 0 || something_near) lost -= release_columns_with_floor();
+  if (lost > 0 || something_near) {
+    note_what_hides_floor();
+    lost -= release_columns_with_floor();
+  }
   if (floor_.is_covered()) {
     return Loss{std::nullopt, true, "the near floor is hidden by something nearer than the camera can see"};
   }
   return lost > 0 ? lost_obstacle(lost, sight.total) : std::nullopt;
+}
+
+void NearLoss::note_what_hides_floor() {
+  const auto near_now = [&](std::size_t i) { return PixelMemory::is_near(memory_.near.nearest_now[i]); };
+  for (std::size_t i = 0; i < memory_.width; ++i) hid_floor_[i] = hid_floor_[i] && !near_now(i);
+  const std::size_t edge = std::max<std::size_t>(1, memory_.width / edge_share);
+  for (std::size_t i = 0; i < memory_.width; ++i) {
+    if (!near_now(i)) continue;
+    const auto [shown, hidden, foot, blank] = floor_.columns()[i];
+    const bool hides = hidden > 0 && 4 * hidden >= shown + hidden;
+    if (!hides && !floor_.is_reached(memory_, i)) continue;
+    const std::size_t first = i - std::min(edge, i), last = std::min(i + edge, memory_.width - 1);
+    for (std::size_t j = first; j <= last; ++j) hid_floor_[j] = hid_floor_[j] || near_now(j);
+  }
 }
 
 /// How many lost pixels it lets go.
@@ -96,7 +119,6 @@ std::size_t NearLoss::release_columns_with_floor() {
   for (std::size_t i = 0; i < memory_.width; ++i) {
     const bool near_now = PixelMemory::is_near(memory_.near.nearest_now[i]);
     const auto [shown, hidden, foot, blank] = floor_.columns()[i];
-    if (near_now) hid_floor_[i] = hidden > 0 && 4 * hidden >= shown + hidden;
     const bool floor_again = !near_now && shown > 0 && 8 * hidden <= shown;
     if (!hid_floor_[i] || !floor_again) continue;
     hid_floor_[i] = false;
@@ -121,13 +143,14 @@ std::size_t NearLoss::release(const std::vector<std::size_t>& columns) {
 }
 
 std::optional<Loss> NearLoss::lost_obstacle(std::size_t lost, std::size_t total) const {
-  std::uint16_t nearest = PixelMemory::ground_zero;
+  const std::uint16_t limit = PixelMemory::near_code(static_cast<float>(limits_.distance));
+  std::uint16_t nearest = limit;
   for (std::size_t row = 1; row < memory_.height; ++row) {
     const auto [nearer, farther] = std::minmax(memory_.near.nearest_lost[row - 1], memory_.near.nearest_lost[row]);
     if (nearer >= nearest || !PixelMemory::is_near(farther)) continue;
     nearest = std::min(nearest, nearest_lost_block(memory_.row(row - 1), memory_.row(row), memory_.width));
   }
-  if (!PixelMemory::is_near(nearest)) return std::nullopt;
+  if (nearest == limit) return std::nullopt;
   const bool whole = lost > memory_.near.now && lost * obstacle_share >= total;
   return Loss{PixelMemory::distance_of_near(nearest), whole,
               "an obstacle has stopped returning and nothing is seen behind it"};

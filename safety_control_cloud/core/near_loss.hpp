@@ -31,7 +31,8 @@ struct Loss {
 ///   same pixel says that it has gone. One noisy pixel is no obstacle: losses count in blocks of 2 x 2.
 /// - A hall deeper than the camera's range returns nothing even when free, so somebody who walked past would stop the
 ///   robot for ever. But who stands on the floor also hides the near floor at the foot of the pixel column; when that
-///   floor is seen again, the column is free. A board that hangs never hid the floor, so the floor says nothing of it.
+///   floor is seen again, the column is free. What reaches down to the near floor counts too, though it hid none yet:
+///   nearer than it was, it would. A board that hangs never hid the floor, so the floor says nothing of it.
 /// - Near floor that goes blank over the width of a post is hidden by something too near to return.
 class NearLoss {
  public:
@@ -51,6 +52,7 @@ class NearLoss {
   std::optional<Loss> judge_pixels(const Sight& sight);
   std::optional<Loss> judge_nearest(const CloudView& cloud, const Sight& sight, const Corridor& corridor,
                                     const Gaze& gaze);
+  void note_what_hides_floor();
   std::size_t release_columns_with_floor();
   std::size_t release(const std::vector<std::size_t>& columns);
   std::optional<Loss> lost_obstacle(std::size_t lost, std::size_t total) const;

@@ -99,6 +99,32 @@ TEST(NearLoss, RobotDrivesOnWhenALegThatHidLittleMoreThanTheNearestFloorHasGone)
   EXPECT_EQ(robot.sees(Scene()).speed, 0.2) << "it stood on the floor, and the floor is seen again";
 }
 
+TEST(NearLoss, RobotDrivesOnWhenAPostThatOnlyReachedDownToTheNearFloorHasGone) {
+  for (const float z : {0.69f, 0.70f, 0.71f, 0.72f, 0.73f, 0.74f, 0.745f}) {
+    Robot robot;
+    robot.sees(Scene());
+    EXPECT_LE(robot.sees({post(z, 0.0f, 0.1f)}).speed, 0.1) << z;
+    EXPECT_EQ(robot.sees({post(0.35f, 0.0f, 0.1f)}).speed, 0.0) << z << ": nearer, it hides the floor";
+    EXPECT_EQ(robot.sees(Scene()).speed, 0.2) << z;
+  }
+}
+
+TEST(NearLoss, RobotStandsForABoardThatHungShortOfTheNearFloorAboveAKerb) {
+  const Board kerb = {0.73f, -0.2f, 0.2f, 0.21f, floor_y};
+  Robot robot;
+  robot.sees(Scene());
+  robot.sees({{0.72f, -0.2f, 0.2f, -0.2f, 0.15f}, kerb});
+  for (int i = 0; i < 40; ++i) EXPECT_EQ(robot.sees({{0.39f, -0.2f, 0.2f, -0.2f, 0.15f}}).speed, 0.0);
+}
+
+TEST(NearLoss, RobotThatWentOverABumpStillDrivesOnWhenALegHasGone) {
+  Robot robot;
+  for (int i = 0; i < 6; ++i) robot.sees(Scene({}, 0.03f));
+  for (int i = 0; i < 20; ++i) robot.sees(Scene());
+  for (const float x : {-0.1f, 0.0f, 0.1f}) robot.sees({post(0.5f, x, 0.1f)});
+  EXPECT_EQ(robot.sees(Scene()).speed, 0.2) << "the floor is where it was before the bump";
+}
+
 TEST(NearLoss, RobotDrivesOnWhenTwoLegsHaveGoneOfWhichOneCameWhileTheOtherHidTheFloor) {
   Robot robot;
   robot.sees(Scene());

@@ -24,11 +24,12 @@ class Scene {
  public:
   static constexpr std::size_t width = 160, height = 120;
 
-  explicit Scene(std::vector<Board> boards = {}) : points_(width * height) {
+  /// `nose_up` [rad]: of the camera over the floor; the boards stay before it.
+  explicit Scene(std::vector<Board> boards = {}, float nose_up = 0.0f) : points_(width * height) {
     for (std::size_t row = 0; row < height; ++row) {
       for (std::size_t column = 0; column < width; ++column) {
-        points_[row * width + column] =
-            seen_along((static_cast<float>(column) - 79.5f) / focal, (static_cast<float>(row) - 59.5f) / focal, boards);
+        points_[row * width + column] = seen_along((static_cast<float>(column) - 79.5f) / focal,
+                                                   (static_cast<float>(row) - 59.5f) / focal, boards, nose_up);
       }
     }
   }
@@ -46,8 +47,9 @@ class Scene {
  private:
   static constexpr float focal = 138.56f;  // [pixel]
 
-  static Xyz seen_along(float x, float y, const std::vector<Board>& boards) {
-    float z = y > 0.0f ? floor_y / y : inf;
+  static Xyz seen_along(float x, float y, const std::vector<Board>& boards, float nose_up) {
+    const float down = y * std::cos(nose_up) - std::sin(nose_up);
+    float z = down > 0.0f ? floor_y / down : inf;
     for (const Board& board : boards) {
       const bool hit = x * board.z >= board.x_min && x * board.z <= board.x_max && y * board.z >= board.y_min &&
                        y * board.z <= board.y_max;
