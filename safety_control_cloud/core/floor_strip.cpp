@@ -10,6 +10,9 @@ namespace {
 /// A post of 2 cm at 0.4 m, where an Xtion goes blind, takes 1/24 of its 60 degrees.
 constexpr std::size_t post_share_of_width = 24;
 
+/// Stereo cameras have the widest borders, of 4 to 6 % at 0.7 m.
+constexpr std::size_t border_share_of_width = 8;
+
 /// A row's floor rises by this in a cloud in which none is seen as low [mm]: after a bump it is back in a second.
 constexpr std::uint16_t forgotten = 1;
 
@@ -23,12 +26,14 @@ std::uint16_t least_floor(std::uint16_t lowest) {
 std::uint16_t plus(std::uint16_t count, bool one) { return static_cast<std::uint16_t>(count + one); }
 
 /// From the first pixel of a row that returned at some time to behind the last: cameras leave a border of their
-/// pictures empty, but a gap between floor and floor hides something, even if it was there from the start.
+/// pictures empty, but a gap between floor and floor hides something, even if it was there from the start. So does a
+/// border wider than any camera's.
 std::pair<std::size_t, std::size_t> span_of_returns(const std::uint16_t* pixels, std::size_t width) {
   std::size_t first = 0, last = width;
   while (first < last && PixelMemory::code_of(pixels[first]) == PixelMemory::nothing) ++first;
   while (last > first && PixelMemory::code_of(pixels[last - 1]) == PixelMemory::nothing) --last;
-  return {first, last};
+  const std::size_t border = width / border_share_of_width;
+  return {first > border ? 0 : first, width - last > border ? width : last};
 }
 
 }  // namespace

@@ -83,13 +83,23 @@ TEST(NearLoss, RobotStandsForAPostThatWasTooNearToBeSeenFromTheStart) {
   }
 }
 
-TEST(NearLoss, ABorderOfThePictureThatNeverReturnsHidesNothing) {
+Scene with_borders(std::size_t left, std::size_t right) {
   Scene scene;
   for (std::size_t row = 0; row < Scene::height; ++row) {
-    for (std::size_t column = 0; column < 20; ++column) scene.set(row, column, NAN);
+    for (std::size_t i = 0; i < left; ++i) scene.set(row, i, NAN);
+    for (std::size_t i = 1; i <= right; ++i) scene.set(row, Scene::width - i, NAN);
   }
+  return scene;
+}
+
+TEST(NearLoss, ABorderOfThePictureThatNeverReturnsHidesNothing) {
   Robot robot;
-  EXPECT_EQ(robot.sees(scene).speed, 0.2);
+  EXPECT_EQ(robot.sees(with_borders(20, 20)).speed, 0.2);
+}
+
+TEST(NearLoss, RobotStandsForAPostAtTheBorderOfThePictureThatWasTooNearToBeSeenFromTheStart) {
+  EXPECT_EQ(Robot().sees(with_borders(21, 0)).speed, 0.0) << "no camera has a border as wide as this";
+  EXPECT_EQ(Robot().sees(with_borders(0, 21)).speed, 0.0);
 }
 
 TEST(NearLoss, RobotDrivesOnWhenALegThatHidLittleMoreThanTheNearestFloorHasGone) {
