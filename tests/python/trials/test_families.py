@@ -6,6 +6,7 @@ import pytest
 
 from safety_control_cloud.trials.deciders import Tutorial
 from safety_control_cloud.trials.families import FAMILIES, WITH_FAULTS, scenario_of
+from safety_control_cloud.trials.families.furniture import BELOW_THE_CORRIDOR
 from safety_control_cloud.trials.outcome import Outcome
 from safety_control_cloud.trials.run import Job, drive, drive_all, jobs_for
 from safety_control_cloud.trials.scenario import XTION
@@ -34,6 +35,33 @@ def test_the_robot_runs_into_nothing_that_its_camera_could_have_shown(family, ou
 def test_the_robot_seldom_stands_before_free_ground(outcomes):
     sound = [one for family in FAMILIES if family not in WITH_FAULTS for one in outcomes[family]]
     assert len([one.name for one in sound if one.stuck]) <= 0.03 * len(sound)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [900, 910, 1700])
+def test_the_robot_goes_on_when_a_post_that_crossed_a_hall_at_the_end_of_its_memory_has_gone(seed):
+    outcome = drive(Job("slides_out_again", seed, "ours"))
+    assert not outcome.stuck and outcome.false_stop is None and outcome.collision is None
+
+
+@pytest.mark.slow
+def test_the_robot_stands_for_a_post_at_the_border_of_its_first_picture_that_is_too_near_to_return():
+    assert drive(Job("turned_onto_a_near_post", 1702, "ours")).collision is None
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_kerb_lies_below_the_tutorials_corridor_and_the_robot_stands_before_it_with_a_lower_one(seed):
+    default, lower = drive(Job("kerb", seed, "ours")), drive(Job("kerb_in_a_lower_corridor", seed, "ours"))
+    assert default.collision and default.limit == BELOW_THE_CORRIDOR
+    assert lower.collision is None and lower.false_stop is None and lower.clearance > 0.3
+
+
+@pytest.mark.slow
+def test_the_robot_stands_for_who_walks_up_into_its_blind_zone():
+    for seed in range(1, 6):
+        outcome = drive(Job("person_walks_up", seed, "ours"))
+        assert outcome.collision is None and not outcome.stuck, outcome.name
 
 
 @pytest.mark.parametrize("family", FAMILIES)

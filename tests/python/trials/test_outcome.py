@@ -2,17 +2,18 @@
 """What counts as what, on drives made up by hand."""
 from __future__ import annotations
 
+from dataclasses import replace
 from math import inf
 
 import pytest
 
 from safety_control_cloud.simulation.base import Pose
 from safety_control_cloud.trials.deciders import Verdict
-from safety_control_cloud.trials.outcome import SIDE_ENTRY, Hit, Judge, Moment
+from safety_control_cloud.trials.outcome import BESIDE_THE_VIEW, SIDE_ENTRY, Hit, Judge, Moment
 from safety_control_cloud.trials.scenario import Scenario
 from safety_control_cloud.trials.summary import row, rows, to_json
 from safety_control_cloud.trials.table import table_of, verdict_of
-from safety_control_cloud.trials.things import Path, Thing, wall
+from safety_control_cloud.trials.things import Path, Thing, post, wall
 
 WALL = Scenario("wall", 0, (wall("wall", 2.0),))
 CART = Thing("cart", Pose(), (0.2, 0.2, 1.0), path=Path(((0.0, 1.0, 2.0), (2.0, 1.0, 0.0))))
@@ -36,7 +37,7 @@ def standing(seconds: float, free: bool, zone: str = "Danger"):
 
 
 def test_driving_into_a_wall_is_a_collision():
-    outcome = judged([moment(0.0), moment(0.05, free=False, hits=[Hit(0.04, "wall", 0.2)])])
+    outcome = judged([moment(0.0, free=False), moment(0.05, free=False, hits=[Hit(0.04, "wall", 0.2)])])
     assert outcome.collision == Hit(0.04, "wall", 0.2)
     assert outcome.limit == ""
 
@@ -52,6 +53,33 @@ def test_what_comes_from_the_side_sooner_than_the_robot_can_brake_is_a_limit_of_
     assert judged(late, scenario).limit == SIDE_ENTRY
     early = [moment(0.05 * i, free=False) for i in range(40)] + [moment(2.0, free=False, hits=[Hit(2.0, "cart", 0.2)])]
     assert judged(early, scenario).limit == ""
+
+
+@pytest.mark.parametrize("x, y, limit", [
+    (0.12, 0.24, BESIDE_THE_VIEW),  # it was never in the picture
+    (0.25, 0.24, BESIDE_THE_VIEW),  # only its edge was
+    (0.3, 0.0, ""),
+])
+def test_what_stands_beside_the_view_is_a_limit_of_the_sensor(x, y, limit):
+    scenario = Scenario("post", 0, (post("post", x, y, 0.05),))
+    drive = [moment(0.05 * i, free=False) for i in range(60)]
+    assert judged([*drive, moment(3.0, free=False, hits=[Hit(3.0, "post", 0.2)])], scenario).limit == limit
+
+
+@pytest.mark.parametrize("seconds, limit", [(0.3, BESIDE_THE_VIEW), (1.0, "")])
+def test_what_the_robot_is_turned_to_counts_once_there_was_time_to_brake(seconds, limit):
+    scenario = Scenario("post", 0, (post("post", 0.3, 0.0, 0.05),))
+    away = [replace(moment(0.05 * i), pose=Pose(yaw=1.6)) for i in range(20)]
+    toward = [moment(1.0 + 0.05 * i, free=False) for i in range(round(seconds / 0.05))]
+    last = moment(1.0 + seconds, free=False, hits=[Hit(1.0 + seconds, "post", 0.2)])
+    assert judged([*away, *toward, last], scenario).limit == limit
+
+
+def test_what_was_only_seen_beside_the_corridor_was_not_shown_in_the_way():
+    scenario = Scenario("post", 0, (post("post", 0.12, 0.24, 0.05),))
+    beside = [replace(moment(0.05 * i), pose=Pose(yaw=1.1)) for i in range(20)]
+    last = moment(3.0, free=False, hits=[Hit(3.0, "post", 0.2)])
+    assert judged([*beside, *(moment(1.0 + 0.05 * i, free=False) for i in range(40)), last], scenario).limit
 
 
 def test_standing_in_danger_before_a_free_corridor_for_two_seconds_is_a_false_stop():
@@ -76,8 +104,9 @@ def test_clearance_counts_while_the_robot_moves():
 
 
 def test_a_row_counts_collisions_and_limits_apart():
-    hit = judged([moment(0.0), moment(0.05, free=False, hits=[Hit(0.04, "wall", 0.2)])])
-    limited = judged([moment(0.0), moment(0.05, hits=[Hit(0.04, "wall", 0.2)])], Scenario("wall", 1, (), limit="glass"))
+    hit = judged([moment(0.0, free=False), moment(0.05, free=False, hits=[Hit(0.04, "wall", 0.2)])])
+    pane = replace(WALL, seed=1, limit="glass")
+    limited = judged([moment(0.0), moment(0.05, hits=[Hit(0.04, "wall", 0.2)])], pane)
     free = judged([moment(0.05 * i) for i in range(20)])
     one = row("wall", "ours", [hit, limited, free])
     assert (one.episodes, one.collisions, one.at_limits) == (3, 1, 1)
@@ -85,7 +114,8 @@ def test_a_row_counts_collisions_and_limits_apart():
 
 
 def test_the_summary_can_be_shown_and_written():
-    outcomes = [judged(standing(4.0, free=True)), judged([moment(0.0), moment(0.05, hits=[Hit(0.04, "wall", 0.2)])])]
+    hit = judged([moment(0.0, free=False), moment(0.05, hits=[Hit(0.04, "wall", 0.2)])])
+    outcomes = [judged(standing(4.0, free=True)), hit]
     assert [one.family for one in rows(outcomes)] == ["wall", "all"]
     assert table_of(outcomes).row_count == 2
     assert verdict_of(outcomes)[0].startswith("ours: 1 collisions in 2 drives")

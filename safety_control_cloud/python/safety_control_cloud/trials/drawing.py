@@ -36,7 +36,7 @@ def plan_and_speed(path: Path, scenario: Scenario, method: str, moments: Sequenc
     speed.step(times, [moment.speed for moment in moments], where="post", color=INK)
     for zone, colour in ZONES.items():
         during = [moment.verdict.zone == zone for moment in moments]
-        speed.fill_between(times, 0, 0.22, where=during, color=colour, alpha=0.2, lw=0)
+        speed.fill_between(times, 0, 0.22, where=during, step="post", color=colour, alpha=0.2, lw=0)
     speed.set(xlabel="time [s]", ylabel="speed [m/s]", ylim=(-0.01, 0.22))
     hit = f" - ran into {outcome.collision.thing}" if outcome.collision else ""
     figure.suptitle(f"{scenario.name}, {method}{hit}", color=INK)

@@ -10,12 +10,14 @@ from ..simulation.base import DRIVER, Pose
 from ..simulation.sensor import Xtion
 from .deciders import Verdict
 from .scenario import Scenario
+from .view import is_in_view
 
 CAUSED_ABOVE = 0.01  # [m/s] toward the obstacle at contact
 FALSE_STOP = 2.0  # [s] in Danger although the corridor is free
 STANDING = 0.005  # [m/s]
 AT_REST = 3.5  # [s] of standing after which nothing more is to be expected
 SIDE_ENTRY = "it came into the corridor from the side, nearer than the robot can brake"
+BESIDE_THE_VIEW = "it stood beside the camera's view, or at its border, until the robot was nearer than it can brake"
 
 
 @dataclass(frozen=True)
@@ -79,7 +81,7 @@ class Judge:
     def see(self, moment: Moment) -> None:
         caused = [hit for hit in moment.hits if hit.approach > CAUSED_ABOVE]
         if caused and self._collision is None:
-            self._collision, self._limit = caused[0], self.scenario.limit or self._late_entry(caused[0])
+            self._collision, self._limit = caused[0], self.scenario.limit or self._too_late(caused[0])
         stands = abs(moment.speed) < STANDING
         self._blocked_since = inf if moment.free else min(self._blocked_since, moment.time)
         self._still_since = self._still_since if stands else moment.time
@@ -107,12 +109,22 @@ class Judge:
             _without_repeats(moment.verdict.zone for moment in self._seen),
             _without_repeats(moment.verdict.cause for moment in self._seen))
 
-    def _late_entry(self, hit: Hit) -> str:
-        """A thing that moves and was in the corridor for less time than it takes to see it and to stand."""
-        moves = any(thing.name == hit.thing and thing.path for thing in self.scenario.things)
-        speed = max((abs(moment.speed) for moment in self._seen[-3:]), default=0.0)
-        reaction = 2 / Xtion().rate + self.scenario.transport + self.scenario.processing + speed / DRIVER.deceleration
-        return SIDE_ENTRY if moves and hit.time - min(self._blocked_since, hit.time) < reaction else ""
+    def _too_late(self, hit: Hit) -> str:
+        """Why it was in the way, or in the picture, for less time than it takes to see it and to stand."""
+        thing = next(thing for thing in self.scenario.things if thing.name == hit.thing)
+        if thing.path:
+            return SIDE_ENTRY if hit.time - self._blocked_since < self._reaction(self._blocked_since) else ""
+        blocked = [moment for moment in self._seen if not moment.free]  # who is beside the corridor may be passed
+        shown = [moment.time for moment in blocked if is_in_view(thing, moment.time, moment.pose)]
+        if not shown:
+            return BESIDE_THE_VIEW
+        from_the_start = shown[0] == self._seen[0].time  # then it need not set out
+        return BESIDE_THE_VIEW if not from_the_start and hit.time - shown[0] < self._reaction(shown[0]) else ""
+
+    def _reaction(self, since: float) -> float:
+        """[s] that it takes to see what is there from then on, and to stand."""
+        speed = max((abs(moment.speed) for moment in self._seen if moment.time >= since), default=0.0)
+        return 2 / Xtion().rate + self.scenario.transport + self.scenario.processing + speed / DRIVER.deceleration
 
 
 def _without_repeats(names) -> tuple[str, ...]:

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...simulation.base import Pose
-from ...simulation.robot import BODY_RADIUS
+from ...simulation.base import DRIVER, Pose, stepped
 from ...simulation.sensor import Xtion
 from ..things import Path, Thing, wall
 
@@ -19,6 +18,9 @@ if TYPE_CHECKING:
 
 CAMERA_X, CAMERA_Y, CAMERA_Z = Xtion().mount  # [m] in base_footprint, and in the world while the robot is at its start
 CORRIDOR = (CAMERA_Y - 0.30, CAMERA_Y + 0.30)  # [m] right and left of it, in the world
+LEG = 0.08  # [m] from a leg's middle to its front, about
+STRIDE = 0.15  # [m] that a foot swings to the front
+LATENCY = 0.1  # [s] from what is before the camera to the wheels, about
 
 
 @dataclass(frozen=True)
@@ -73,11 +75,18 @@ def at_most_driven(time: float) -> float:
     return 0.2 * time
 
 
-def meeting(start: float, begins: float, speed: float, gap: float) -> tuple[float, float]:
-    """x [m] and time [s] at which somebody who comes from x = `start` is `gap` [m] before a robot that never slowed."""
-    reach = BODY_RADIUS + 0.08 + gap  # [m] from the robot's middle to the leg's
-    there = (start + speed * begins - reach) / (speed + 0.2)  # start - speed (t - begins) = 0.2 t + reach
-    return start - speed * (there - begins), there
+def stops_at(start: float, begins: float, speed: float) -> float:
+    """x [m] where the robot comes to stand before somebody who walks up from x = `start` and does not stop."""
+    step, x, now, time = 0.01, 0.0, 0.0, 0.0
+    while True:
+        walks = speed if time >= begins else 0.0
+        apart = start - STRIDE - walks * (time - begins) - (x + CAMERA_X)
+        seen = apart + LATENCY * (now + walks)
+        wanted = 0.2 if seen > 1.0 else 0.1 if seen > 0.5 else 0.0
+        now = stepped(now, wanted, (DRIVER.acceleration if wanted > now else DRIVER.deceleration) * step)
+        if seen <= 0.5 and now == 0.0:
+            return x
+        x, time = x + now * step, time + step
 
 
 def legs(draw: Draw, waypoints: tuple[tuple[float, float, float], ...], heading: float) -> tuple[Thing, ...]:
@@ -87,6 +96,6 @@ def legs(draw: Draw, waypoints: tuple[tuple[float, float, float], ...], heading:
     made = []
     for side, name in ((-0.5, "right_leg"), (0.5, "left_leg")):
         moved = tuple((time, x + side * dx, y + side * dy) for time, x, y in waypoints)
-        path = Path(moved, stride=0.15, phase=pi * (side > 0))
+        path = Path(moved, stride=STRIDE, phase=pi * (side > 0))
         made.append(Thing(name, Pose(), (diameter, diameter, 0.85), round=True, path=path))
     return tuple(made)

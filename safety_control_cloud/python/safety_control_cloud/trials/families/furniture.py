@@ -2,14 +2,13 @@
 """Things that stand or hang in the robot's way."""
 from __future__ import annotations
 
-from math import cos, radians, sin, tan
+from math import cos, radians, sin
 
 from ...simulation.base import Pose
 from ..things import Thing, post, wall
-from .drawing import CAMERA_X, CAMERA_Y, Draft, Draw, background
+from .drawing import Draft, Draw, background
 
-BESIDE_THE_VIEW = "so near to the robot it stands where the camera's view does not reach"
-BELOW_THE_CORRIDOR = "it is lower than the corridor, which ends 0.1 m above the floor (y_max)"
+BELOW_THE_CORRIDOR = "the camera sees it, but it is lower than the corridor, which ends 0.1 m above the floor (y_max)"
 
 
 def _closed_cabinet(draw: Draw) -> Draft:
@@ -47,9 +46,7 @@ def _post_in_the_blind_zone(draw: Draw) -> Draft:
     y = draw.between(-0.15, 0.15, "beside [m]")
     diameter = draw.between(0.03, 0.10, "diameter [m]")
     x = draw.between(0.20, 0.28, "distance [m]") + diameter / 2
-    seen_to = tan(radians(30)) * (x - CAMERA_X) - 0.01  # [m] to either side of the camera
-    limit = BESIDE_THE_VIEW if abs(y - CAMERA_Y) + diameter / 2 > seen_to else ""
-    return Draft((post("post", x, y, diameter), *background(draw, 2.0)), seconds=8.0, limit=limit)
+    return Draft((post("post", x, y, diameter), *background(draw, 2.0)), seconds=8.0)
 
 
 def _low_box(draw: Draw) -> Draft:
@@ -59,8 +56,17 @@ def _low_box(draw: Draw) -> Draft:
 
 def _kerb(draw: Draw) -> Draft:
     """Lower than the corridor, higher than the robot's ground clearance."""
-    size = (0.3, draw.between(0.2, 0.6, "width [m]"), draw.between(0.05, 0.085, "height [m]"))
-    return Draft((_box(draw, "kerb", size), *background(draw)), limit=BELOW_THE_CORRIDOR)
+    return Draft((_box(draw, "kerb", _kerb_size(draw)), *background(draw)), limit=BELOW_THE_CORRIDOR)
+
+
+def _kerb_in_a_lower_corridor(draw: Draw) -> Draft:
+    """The camera looks over a kerb nearer than 0.6 m, so the robot has to stand before that."""
+    settings = (("y_max", 0.26), ("danger_distance", 0.65), ("warning_distance", 1.15))
+    return Draft((_box(draw, "kerb", _kerb_size(draw)), *background(draw)), settings=settings)
+
+
+def _kerb_size(draw: Draw) -> tuple[float, float, float]:
+    return 0.3, draw.between(0.2, 0.6, "width [m]"), draw.between(0.05, 0.085, "height [m]")
 
 
 def _hanging_board(draw: Draw) -> Draft:
@@ -94,5 +100,5 @@ def _box(draw: Draw, name: str, size: tuple[float, float, float]) -> Thing:
 FAMILIES = {
     "closed_cabinet": _closed_cabinet, "open_cabinet": _open_cabinet, "post": _post, "post_at_the_edge": _post_at_the_edge,
     "post_in_the_blind_zone": _post_in_the_blind_zone, "low_box": _low_box, "kerb": _kerb,
-    "hanging_board": _hanging_board, "table": _table,
+    "kerb_in_a_lower_corridor": _kerb_in_a_lower_corridor, "hanging_board": _hanging_board, "table": _table,
 }
