@@ -5,8 +5,11 @@ import subprocess
 from collections import defaultdict
 from dataclasses import dataclass
 from pathlib import Path
-from statistics import median
-from typing import Dict, Iterator, List, Tuple
+from typing import Callable, Dict, List, Tuple
+
+from repetitions import Plan, Timing, in_turn, timing_of, worst_and_median
+from rich.table import Column
+from rich.table import Table as RichTable
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "build" / "tests" / "benchmarks" / "kernel_benchmark"
@@ -15,6 +18,8 @@ WAYS = (
     *("read_cached", "one_pass_cached", "pcl_indices", "tutorial"),
 )
 VGA = 640 * 480
+SIZES = ((320, 240), (640, 480), (1280, 720), (4096, 3072))
+SCENES = ("wall_0.6m", "wall_2m", "mixed")
 
 
 @dataclass(frozen=True, order=True)
@@ -40,12 +45,15 @@ class Case:
         return self.width * self.height
 
 
-def cases(quick: bool) -> Iterator[Case]:
-    for width, height in [(640, 480)] if quick else [(320, 240), (640, 480), (1280, 720), (4096, 3072)]:
-        for step in (12, 16, 20, 32):
-            for scene in ("wall_0.6m", "wall_2m", "mixed"):
-                for nan in (0, 30):
-                    yield Case(width, height, step, scene, nan)
+def cases(plan: Plan) -> List[Case]:
+    """The largest clouds, which take most of a full run, only of one scene."""
+    return [
+        Case(width, height, step, scene, nan)
+        for width, height in ([(640, 480)] if plan.quick else SIZES)
+        for step in (12, 16, 20, 32)
+        for scene in (SCENES[-1:] if width == 4096 else SCENES)
+        for nan in (0, 30)
+    ]
 
 
 def times_of(case: Case) -> Dict[str, float]:
@@ -55,34 +63,12 @@ def times_of(case: Case) -> Dict[str, float]:
     return {run["name"].split("/")[0]: run["cpu_time"] for run in json.loads(result.stdout)["benchmarks"]}
 
 
-@dataclass(frozen=True)
-class Timing:
-    """[ms] of CPU time."""
-
-    median: float
-    fastest: float
-    slowest: float
-
-
 Table = Dict[Case, Dict[str, Timing]]
 
 
-def measure(quick: bool, repetitions: int, done=lambda: None) -> Table:
-    """Every case once, then every case again: what disturbs the machine for a while disturbs all a little."""
-    times: Dict[Case, Dict[str, List[float]]] = defaultdict(lambda: defaultdict(list))
-    for _ in range(repetitions):
-        for case in cases(quick):
-            for way, time in times_of(case).items():
-                times[case][way].append(time)
-            done()
-    return {
-        case: {way: Timing(median(all_), min(all_), max(all_)) for way, all_ in by_way.items()}
-        for case, by_way in times.items()
-    }
-
-
-def worst_and_median(ratios: List[float], worst=max) -> Dict[str, float]:
-    return {"worst": round(worst(ratios), 3), "median": round(median(ratios), 3)}
+def measure(plan: Plan, done: Callable[[], None]) -> Table:
+    times = in_turn(cases(plan), plan, times_of, done)
+    return {case: {way: timing_of([one[way] for one in all_]) for way in WAYS} for case, all_ in times.items()}
 
 
 def ratios(table: Table, slow: str, fast: str, points: int = 0) -> List[float]:
@@ -111,13 +97,19 @@ def figures(table: Table) -> Dict[str, Dict[str, float]]:
     }
 
 
-def rows(table: Table) -> Iterator[str]:
-    yield f"{'CPU time [ms], median':44}" + "".join(f"{way:>17}" for way in WAYS) + "   spread"
+def table_of(table: Table) -> RichTable:
+    title = "One look at a cloud: CPU time [ms], median of the repetitions"
+    shown = RichTable(Column("cloud", no_wrap=True), *WAYS, "spread", title=title)
+    for column in shown.columns[1:]:
+        column.justify = "right"
     for case in sorted(table):
         by = table[case]
-        spread = max((by[way].slowest - by[way].fastest) / by[way].median for way in WAYS)
-        yield f"{case.name:44}" + "".join(f"{by[way].median:17.4f}" for way in WAYS) + f"{spread:8.0%}"
+        spread = max(timing.spread for timing in by.values())
+        shown.add_row(case.name, *(f"{by[way].median:.4f}" for way in WAYS), f"{spread:.0%}")
+    return shown
 
 
 def as_json(table: Table) -> List[Dict[str, object]]:
-    return [{"case": case.name, **{way: vars(timing) for way, timing in by.items()}} for case, by in sorted(table.items())]
+    return [
+        {"case": case.name, **{way: vars(timing) for way, timing in by.items()}} for case, by in sorted(table.items())
+    ]

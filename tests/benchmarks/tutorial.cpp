@@ -15,7 +15,7 @@ constexpr float x_min = -0.30f, x_max = 0.30f, y_min = -0.25f, y_max = 0.20f;  /
 
 }  // namespace
 
-float tutorial(const sensor_msgs::PointCloud2& message) {
+Seen tutorial(const sensor_msgs::PointCloud2& message) {
   const Cloud::Ptr cloud(new Cloud), between_heights(new Cloud), inside(new Cloud);
   pcl::fromROSMsg(message, *cloud);
 
@@ -31,9 +31,10 @@ float tutorial(const sensor_msgs::PointCloud2& message) {
 
   Point low, high;
   pcl::getMinMax3D(*inside, low, high);
-  sensor_msgs::PointCloud2 output;
-  pcl::toROSMsg(*inside, output);
-  return output.data.empty() ? high.z : low.z;
+  Seen seen;
+  seen.nearest = low.z;
+  pcl::toROSMsg(*inside, seen.crop);
+  return seen;
 }
 
 float pcl_with_indices(const sensor_msgs::PointCloud2& message) {

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A camera and a node in real processes: what every cloud's answer costs.
+
+One node listens at a time, or they would take each other's time. All see the same scene: 32 bytes a point, floor, wall
+and boxes, 30 % without return. The next cloud waits for the answer to the last.
+"""
+import json
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Dict, List, Tuple
+
+from safety_control_cloud.processes import Process, ProcessError, process
+from safety_control_cloud.ros_session import PACKAGE, executable_of
+
+PROGRAMS = Path(__file__).resolve().parents[2] / "build" / "tests" / "benchmarks"
+WARM_UP = 10  # clouds
+PATIENCE = 60.0  # [s] beyond what the clouds take at their rate
+# So that every Twist is the answer to a cloud, on a busy machine too.
+ONLY_ANSWERS = {"publish_rate": 1.0, "source_timeout": 10.0}
+
+
+@dataclass(frozen=True, order=True)
+class Stream:
+    """What a camera sends."""
+
+    width: int
+    height: int
+    rate: float  # [Hz]
+
+    @property
+    def name(self) -> str:
+        return f"{self.width}x{self.height}"
+
+    @property
+    def points(self) -> int:
+        return self.width * self.height
+
+
+QVGA, VGA, HD = Stream(320, 240, 20.0), Stream(640, 480, 20.0), Stream(1280, 720, 10.0)
+
+
+@dataclass(frozen=True)
+class Exchange:
+    """Lists hold a value for each cloud."""
+
+    latency_ms: Tuple[float, ...]  # from just before publishing the cloud to its Twist
+    twists: Tuple[int, ...]
+    speed: Tuple[float, ...]  # [m/s]
+    cpu_ms: float  # of the node, a cloud
+    faults: float  # pages that the kernel gave the node, a cloud
+
+    def __post_init__(self) -> None:
+        if 0 in self.twists:
+            raise ProcessError(f"not every cloud was answered: {self.twists}")
+
+
+def exchanges(target: str, stream: Stream, clouds: int, pairs: int = 1) -> List[Exchange]:
+    """So many cameras, each with a node of its own, all at once. Needs a master: ros_session.roscore()."""
+    with ExitStack() as stack:
+        running = []
+        for place in (f"__ns:=/robot_{number}" for number in range(pairs)):
+            node = stack.enter_context(process([*command_of(target), place]))
+            camera = [str(PROGRAMS / "cloud_camera"), *_numbers(stream, clouds), str(node.pid), place]
+            running.append((stack.enter_context(process(camera)), node))
+        return [_report(camera, stream, clouds, node) for camera, node in running]
+
+
+def command_of(target: str) -> List[str]:
+    """What takes the clouds and answers."""
+    if target in ("tutorial", "floor"):
+        return [str(PROGRAMS / f"{target}_node")]
+    method = "pcl" if target == "ours_pcl" else "one_pass"  # both said: the master keeps what the last one was given
+    return [executable_of(PACKAGE, "safety_control_node"), *_parameters(), f"_method:={method}"]
+
+
+def exchange_in_one_process(stream: Stream, clouds: int) -> Exchange:
+    """Camera and nodelet share a process: `cpu_ms` and `faults` are of both."""
+    with process([str(PROGRAMS / "nodelet_camera"), *_numbers(stream, clouds), *_parameters()]) as camera:
+        return _report(camera, stream, clouds)
+
+
+def _numbers(stream: Stream, clouds: int) -> List[str]:
+    return [str(number) for number in (stream.width, stream.height, stream.rate, WARM_UP, clouds)]
+
+
+def _parameters() -> List[str]:
+    return [f"_{name}:={value}" for name, value in ONLY_ANSWERS.items()]
+
+
+def _report(camera: Process, stream: Stream, clouds: int, *others: Process) -> Exchange:
+    """The camera's last line."""
+    code = camera.wait((WARM_UP + clouds) / stream.rate + PATIENCE)
+    lines = [line for line in camera.output().splitlines() if line.startswith("{")]
+    if code != 0 or not lines:
+        said = "\n".join(one.output() for one in (camera, *others))
+        raise ProcessError(f"{' '.join(camera.command)}: exit code {code}\n{said}")
+    report: Dict[str, object] = json.loads(lines[-1])
+    return Exchange(**{name: tuple(value) if isinstance(value, list) else value for name, value in report.items()})

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/ros.h>
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+#include "exchange.hpp"
+#include "scenes.hpp"
+
+namespace safety_control_cloud {
+
+/// What a camera of the benchmark shows.
+struct Plan {
+  Picture picture;
+  double rate;                   ///< [Hz] at most: the next cloud waits for the answer to the last
+  int warm_up, clouds;           ///< those before the measured ones, and those
+  std::vector<pid_t> processes;  ///< whose CPU time is measured
+};
+
+/// WIDTH HEIGHT RATE WARM_UP CLOUDS PID... from a command line.
+Plan plan_of(const std::vector<std::string>& arguments);
+
+/// Shows the source's clouds, which it sends by the publisher, to a node, and prints one line of JSON for exchange.py.
+void measure(const Plan& plan, const ros::Publisher& clouds, const CloudSource& source);
+
+}  // namespace safety_control_cloud
