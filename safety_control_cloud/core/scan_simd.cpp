@@ -37,9 +37,7 @@ struct Counting {
   HWY_INLINE Counting(const Corridor& corridor, const Gaze& gaze)
       : walls(corridor), place(gaze), nearest(all(infinity)), lowest(nearest) {}
 
-  HWY_INLINE void take(const Points& points, std::size_t) {
-    note(points, place(points), is_return(points, walls));
-  }
+  HWY_INLINE void take(const Points& points, std::size_t) { note(points, place(points), is_return(points, walls)); }
 
   HWY_INLINE void note(const Points& points, const Points& placed, Mask returning) {
     const Mask in_corridor = place.inside(placed, walls, returning);
@@ -78,9 +76,7 @@ struct CountingTooClose {
   HWY_INLINE CountingTooClose(const Corridor& corridor, const Gaze& gaze)
       : walls(corridor), anywhere(gaze.placement != nullptr) {}
 
-  HWY_INLINE void take(const Points& points, std::size_t) {
-    too_close.add(is_too_close(points, walls, anywhere));
-  }
+  HWY_INLINE void take(const Points& points, std::size_t) { too_close.add(is_too_close(points, walls, anywhere)); }
 };
 
 /// Lists the columns inside.
