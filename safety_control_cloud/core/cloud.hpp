@@ -31,7 +31,4 @@ struct CloudView {
   std::size_t size() const { return width * height; }
 };
 
-/// Every point of the view as float32, in its order and with its width and height; nothing is left out.
-Cloud to_cloud(const CloudView& view);
-
 }  // namespace safety_control_cloud

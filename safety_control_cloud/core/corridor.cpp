@@ -46,9 +46,7 @@ template <class Visit>
 void for_each_inside(const Run& run, const Corridor& corridor, const Gaze& gaze, Visit visit) {
   const Inside inside = inside_of(run, corridor, gaze);
   with_reader(run.points, [&](auto reader) {
-    for (std::size_t i = 0; i < inside.size; ++i) {
-      reader(run.points.bytes + inside.columns[i] * run.points.point_step, visit);
-    }
+    for (std::size_t i = 0; i < inside.size; ++i) reader(0, inside.columns[i], visit);
   });
 }
 
@@ -121,8 +119,8 @@ std::optional<Obstacle> nearest_of(std::size_t too_close, const Cloud& inside, c
   return first_at(inside, ranked(depths_of(inside), *rank));
 }
 
-Sight look(const CloudView& cloud, const Corridor& corridor, const Gaze& gaze) {
-  const Runs runs(cloud);
+Sight look(const View& view, const Corridor& corridor, const Gaze& gaze) {
+  const Runs runs(view);
   std::vector<float> nearest(runs.size());
   if (gaze.memory) gaze.memory->start_cloud();
   const Cloud::Ptr crop(gaze.crop == Crop::Keep ? new Cloud : nullptr);
@@ -133,7 +131,7 @@ Sight look(const CloudView& cloud, const Corridor& corridor, const Gaze& gaze) {
   sight.inside = counts.inside;
   sight.too_close = counts.too_close;
   sight.returns = counts.returns;
-  sight.total = cloud.size();
+  sight.total = size_of(view);
   if (gaze.memory) sight.lost = gaze.memory->near.lost;
   sight.crop = crop;
   return sight;

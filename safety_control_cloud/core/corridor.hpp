@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <optional>
 
-#include "cloud.hpp"
 #include "pixel_memory.hpp"
 #include "placement.hpp"
+#include "view.hpp"
 
 namespace safety_control_cloud {
 
@@ -52,8 +52,8 @@ struct Gaze {
   PixelMemory* memory = nullptr;         ///< brought up to date if given; must have the cloud's size
 };
 
-/// Looks down the corridor in one pass over the cloud's bytes.
-Sight look(const CloudView& cloud, const Corridor& corridor, const Gaze& gaze = {});
+/// Looks down the corridor in one pass over the view's bytes.
+Sight look(const View& view, const Corridor& corridor, const Gaze& gaze = {});
 
 /// Whether a point of the cloud, in the sensor's frame, is a return.
 inline bool is_return(float x, float y, float z, const Corridor& corridor) {

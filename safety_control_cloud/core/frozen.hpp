@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "cloud.hpp"
+#include "view.hpp"
 
 namespace safety_control_cloud {
 
@@ -11,7 +11,7 @@ namespace safety_control_cloud {
 class FrozenWatch {
  public:
   /// How many clouds in a row, this one included, had the content of this one. `stamp` [s].
-  std::size_t count(const CloudView& cloud, double stamp);
+  std::size_t count(const View& view, double stamp);
 
  private:
   std::size_t content_ = 0;  ///< hash of the latest cloud's points

@@ -3,20 +3,14 @@
 
 #include <algorithm>
 #include <optional>
-#include <sstream>
+#include <variant>
+
+#include "words.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
-constexpr bool host_is_bigendian = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
 constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
-
-template <class... Parts>
-std::string words(const Parts&... parts) {
-  std::ostringstream text;
-  (text << ... << parts);
-  return text.str();
-}
 
 std::size_t size_of(const Field& field) { return field.datatype == Field::FLOAT64 ? sizeof(double) : sizeof(float); }
 
@@ -82,7 +76,7 @@ Reading view_of(const Layout& layout, const std::uint8_t* bytes, std::size_t siz
   view.row_step = layout.row_step;
   view.offset = {x.offset, y.offset, z.offset};
   view.scalar = x.datatype == Field::FLOAT64 ? Scalar::Float64 : Scalar::Float32;
-  view.swapped = layout.is_bigendian != host_is_bigendian;
+  view.swapped = is_foreign(layout.is_bigendian);
   return view;
 }
 

@@ -4,10 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "cloud.hpp"
+#include "reading.hpp"
 
 namespace safety_control_cloud {
 
@@ -31,13 +30,6 @@ struct Layout {
   std::uint32_t point_step = 0;  ///< [byte]
   std::uint32_t row_step = 0;    ///< [byte]
 };
-
-/// Why the points of a cloud cannot be read, in words for the robot's owner.
-struct Unreadable {
-  std::string reason;
-};
-
-using Reading = std::variant<CloudView, Unreadable>;
 
 /// The points of `size` bytes at `bytes`, if the layout is free of contradiction: x, y and z once each, all float32 or
 /// all float64, one value each, not overlapping, inside the point; rows inside the data; no byte missing and none over.

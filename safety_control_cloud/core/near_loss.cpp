@@ -25,9 +25,9 @@ constexpr double retreat = 0.1;
 
 /// Whether rows and columns mean neighbours, in counts that fit into 16 bits. One column is no picture: that is how
 /// some drivers say "not organised".
-bool is_picture(const CloudView& cloud) {
+bool is_picture(std::size_t width, std::size_t height) {
   constexpr std::size_t most = std::numeric_limits<std::uint16_t>::max();
-  return cloud.width >= 2 && cloud.height >= 2 && cloud.width <= most && cloud.height <= most;
+  return width >= 2 && height >= 2 && width <= most && height <= most;
 }
 
 bool is_lost(std::uint16_t pixel) { return PixelMemory::is_near(pixel); }  // near, and without the flag `now`
@@ -52,26 +52,27 @@ void NearLoss::limit(const NearLossLimits& limits) {
 
 void NearLoss::forget() { *this = NearLoss(limits_); }
 
-PixelMemory* NearLoss::memory_for(const CloudView& cloud) {
-  if (limits_.distance <= 0.0 || !is_picture(cloud)) return nullptr;
-  if (cloud.width != memory_.width || cloud.height != memory_.height) {
+PixelMemory* NearLoss::memory_for(const View& view) {
+  const std::size_t width = width_of(view), height = height_of(view);
+  if (limits_.distance <= 0.0 || !is_picture(width, height)) return nullptr;
+  if (width != memory_.width || height != memory_.height) {
     // What was near is still there whatever the resolution: every pixel of the new one has to see past it.
     std::uint16_t nearest = PixelMemory::nothing;
     for (const std::uint16_t pixel : memory_.pixels) nearest = std::min(nearest, PixelMemory::code_of(pixel));
-    memory_.pixels.assign(cloud.size(), PixelMemory::is_near(nearest) ? nearest : PixelMemory::nothing);
-    memory_.width = cloud.width;
-    memory_.height = cloud.height;
-    hid_floor_.assign(cloud.width, false);
+    memory_.pixels.assign(width * height, PixelMemory::is_near(nearest) ? nearest : PixelMemory::nothing);
+    memory_.width = width;
+    memory_.height = height;
+    hid_floor_.assign(width, false);
     floor_ = FloorStrip{};
   }
   memory_.distance = static_cast<float>(margin * limits_.distance);
   return &memory_;
 }
 
-std::optional<Loss> NearLoss::judge(const CloudView& cloud, const Sight& sight, const Corridor& corridor,
-                                    const Gaze& gaze, double now) {
+std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const Corridor& corridor, const Gaze& gaze,
+                                    double now) {
   if (limits_.distance <= 0.0) return std::nullopt;
-  const auto loss = gaze.memory ? judge_pixels(sight) : judge_nearest(cloud, sight, corridor, gaze);
+  const auto loss = gaze.memory ? judge_pixels(sight) : judge_nearest(view, sight, corridor, gaze);
   if (!loss) {
     lost_since_.reset();
     return std::nullopt;
@@ -156,7 +157,7 @@ std::optional<Loss> NearLoss::lost_obstacle(std::size_t lost, std::size_t total)
               "an obstacle has stopped returning and nothing is seen behind it"};
 }
 
-std::optional<Loss> NearLoss::judge_nearest(const CloudView& cloud, const Sight& sight, const Corridor& corridor,
+std::optional<Loss> NearLoss::judge_nearest(const View& view, const Sight& sight, const Corridor& corridor,
                                             const Gaze& gaze) {
   if (sight.nearest && sight.nearest->distance() < limits_.distance) {
     // What is too close to measure lies in no direction, so nothing could ever be seen behind it.
@@ -166,7 +167,7 @@ std::optional<Loss> NearLoss::judge_nearest(const CloudView& cloud, const Sight&
   if (!nearest_) return std::nullopt;
   const Point kept = nearest_->point;
   bool gone = sight.nearest && sight.nearest->distance() < nearest_->distance() + retreat;
-  for_each_point(cloud, [&](float x, float y, float z) {
+  for_each_point(view, [&](float x, float y, float z) {
     if (gone || !is_return(x, y, z, corridor)) return;
     const Point point = placed(x, y, z, gaze);
     const float scale = point.z / kept.z, beside = behind_slope * point.z;

@@ -42,16 +42,15 @@ class NearLoss {
   void forget();
 
   /// The memory to hand to look() for this cloud; nullptr if it is not organised or the memory is off.
-  PixelMemory* memory_for(const CloudView& cloud);
+  PixelMemory* memory_for(const View& view);
 
   /// What of the near obstacles is lost in this cloud, which look() has just seen. `now` [s], steady.
-  std::optional<Loss> judge(const CloudView& cloud, const Sight& sight, const Corridor& corridor, const Gaze& gaze,
+  std::optional<Loss> judge(const View& view, const Sight& sight, const Corridor& corridor, const Gaze& gaze,
                             double now);
 
  private:
   std::optional<Loss> judge_pixels(const Sight& sight);
-  std::optional<Loss> judge_nearest(const CloudView& cloud, const Sight& sight, const Corridor& corridor,
-                                    const Gaze& gaze);
+  std::optional<Loss> judge_nearest(const View& view, const Sight& sight, const Corridor& corridor, const Gaze& gaze);
   void note_what_hides_floor();
   std::size_t release_columns_with_floor();
   std::size_t release(const std::vector<std::size_t>& columns);

@@ -71,7 +71,7 @@ void remember(const Cloud& cloud, const Cloud& placed, const Corridor& corridor,
 
 }  // namespace
 
-Sight passthrough(const CloudView& view, const Corridor& corridor, const Gaze& gaze) {
+Sight passthrough(const View& view, const Corridor& corridor, const Gaze& gaze) {
   const Cloud::Ptr cloud(new Cloud(to_cloud(view)));
   const Cloud::Ptr points = placed_cloud(*cloud, corridor, gaze);
   const auto returns = passed(cloud, nullptr, "z", std::nextafter(corridor.range_min, largest), largest);
@@ -80,7 +80,7 @@ Sight passthrough(const CloudView& view, const Corridor& corridor, const Gaze& g
   const auto inside = passed(points, between_heights, "x", corridor.x_min, corridor.x_max);
 
   Sight sight;
-  sight.total = view.size();
+  sight.total = size_of(view);
   sight.too_close = static_cast<std::size_t>(std::count_if(cloud->begin(), cloud->end(), [&](const Point& point) {
     return is_too_close(point.x, point.y, point.z, corridor, gaze);
   }));

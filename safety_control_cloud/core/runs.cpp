@@ -14,21 +14,48 @@ CloudView with_joined_rows(CloudView cloud) {
   return cloud;
 }
 
+/// Where a pixel's point lies depends on its row.
+DepthView with_joined_rows(const DepthView& image) { return image; }
+
+View in_longest_rows(const View& view) {
+  return std::visit([](const auto& points) { return View(with_joined_rows(points)); }, view);
+}
+
+template <class Points>
+void cut_out(Points& points, std::size_t row, std::size_t column, std::size_t width) {
+  points.bytes += row * points.row_step + column * step_of(points);
+  points.width = width;
+  points.height = 1;
+}
+
 }  // namespace
 
-Runs::Runs(const CloudView& cloud)
-    : rows_(with_joined_rows(cloud)), in_row_(rows_.width / longest + (rows_.width % longest == 0 ? 0 : 1)) {}
+CloudView piece_of(CloudView cloud, std::size_t row, std::size_t column, std::size_t width) {
+  cut_out(cloud, row, column, width);
+  return cloud;
+}
+
+DepthView piece_of(DepthView image, std::size_t row, std::size_t column, std::size_t width) {
+  cut_out(image, row, column, width);
+  image.first_row += row;
+  image.first_column += column;
+  return image;
+}
+
+Runs::Runs(const View& view)
+    : rows_(in_longest_rows(view)), in_row_(width_of(rows_) / longest + (width_of(rows_) % longest == 0 ? 0 : 1)) {}
 
 Run Runs::operator[](std::size_t run) const {
   const std::size_t row = run / in_row_, begin = run % in_row_ * longest;
-  Run piece{rows_, row * rows_.width + begin, false};
-  piece.points.bytes += row * rows_.row_step + begin * rows_.point_step;
-  piece.points.width = std::min(longest, rows_.width - begin);
-  piece.points.height = 1;
-  const bool ends_row = begin + piece.points.width == rows_.width;
-  const bool rows_in_order = rows_.row_step >= rows_.width * rows_.point_step;
-  piece.followed = !ends_row || (row + 1 < rows_.height && rows_in_order);
-  return piece;
+  return std::visit(
+      [&](const auto& rows) {
+        const std::size_t width = std::min(longest, rows.width - begin);
+        const bool ends_row = begin + width == rows.width;
+        const bool rows_in_order = rows.row_step >= rows.width * step_of(rows);
+        return Run{piece_of(rows, row, begin, width), row * rows.width + begin,
+                   !ends_row || (row + 1 < rows.height && rows_in_order)};
+      },
+      rows_);
 }
 
 }  // namespace safety_control_cloud

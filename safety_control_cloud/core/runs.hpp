@@ -3,29 +3,33 @@
 
 #include <cstddef>
 
-#include "cloud.hpp"
+#include "view.hpp"
 
 namespace safety_control_cloud {
 
+/// `width` successive points of a row.
+CloudView piece_of(CloudView cloud, std::size_t row, std::size_t column, std::size_t width);
+DepthView piece_of(DepthView image, std::size_t row, std::size_t column, std::size_t width);
+
 /// A piece of a row.
 struct Run {
-  CloudView points;       ///< one row of at most Runs::longest
-  std::size_t first = 0;  ///< which point of the cloud its first one is
-  bool followed = false;  ///< another point of the cloud lies behind the last one in memory
+  View points;            ///< one row of at most Runs::longest
+  std::size_t first = 0;  ///< which point of the view its first one is
+  bool followed = false;  ///< another point of the view lies behind the last one in memory
 };
 
-/// A cloud as the runs that it is scanned in. Rows that follow each other without a gap count as one.
+/// A view as the runs that it is scanned in. A cloud's rows that follow each other without a gap count as one.
 class Runs {
  public:
   static constexpr std::size_t longest = 1024;  ///< points; what is done once a run then hardly counts
 
-  explicit Runs(const CloudView& cloud);
+  explicit Runs(const View& view);
 
-  std::size_t size() const { return rows_.height * in_row_; }
+  std::size_t size() const { return height_of(rows_) * in_row_; }
   Run operator[](std::size_t run) const;
 
  private:
-  CloudView rows_;
+  View rows_;
   std::size_t in_row_;  ///< runs
 };
 

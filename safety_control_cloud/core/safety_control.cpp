@@ -33,8 +33,8 @@ Settings checked(const Settings& settings) {
   return settings;
 }
 
-Sight look_by(Method method, const CloudView& cloud, const Corridor& corridor, const Gaze& gaze) {
-  return method == Method::Pcl ? passthrough(cloud, corridor, gaze) : look(cloud, corridor, gaze);
+Sight look_by(Method method, const View& view, const Corridor& corridor, const Gaze& gaze) {
+  return method == Method::Pcl ? passthrough(view, corridor, gaze) : look(view, corridor, gaze);
 }
 
 /// Few returns are no proof of free space.
@@ -76,15 +76,15 @@ Decision SafetyControl::decide(const Reading& reading, const Origin& origin, con
   if (ambiguous) return stop(Cause::TwoSources, "clouds of two publishers arrive in turn", now.steady);
   if (const auto doubt = doubt_before_looking(reading, origin, now)) return *doubt;
 
-  const CloudView& cloud = std::get<CloudView>(reading);
+  const View view = view_in(reading);
   Gaze gaze;
   gaze.crop = crop;
   gaze.placement = std::get_if<Placement>(&origin.placing);
-  gaze.memory = near_loss_.memory_for(cloud);
-  const Sight sight = look_by(settings_.method, cloud, corridor_, gaze);
+  gaze.memory = near_loss_.memory_for(view);
+  const Sight sight = look_by(settings_.method, view, corridor_, gaze);
 
-  if (const auto doubt = doubt_about(sight, cloud, origin.stamp, now.steady)) return *doubt;
-  const auto loss = near_loss_.judge(cloud, sight, corridor_, gaze, now.steady);
+  if (const auto doubt = doubt_about(sight, view, origin.stamp, now.steady)) return *doubt;
+  const auto loss = near_loss_.judge(view, sight, corridor_, gaze, now.steady);
   return decide_by(sight, loss, now.steady);
 }
 
@@ -107,15 +107,14 @@ std::optional<Decision> SafetyControl::doubt_before_looking(const Reading& readi
   return std::nullopt;
 }
 
-std::optional<Decision> SafetyControl::doubt_about(const Sight& sight, const CloudView& cloud, double stamp,
-                                                   double now) {
+std::optional<Decision> SafetyControl::doubt_about(const Sight& sight, const View& view, double stamp, double now) {
   if (is_blind(sight, settings_.min_valid_ratio)) {
     stop(Cause::Blind, std::to_string(sight.returns) + " returns of " + std::to_string(sight.total) + " points", now);
     last_.sight = sight;
     return last_;
   }
   if (settings_.frozen_clouds == 0) return std::nullopt;
-  const std::size_t same = frozen_.count(cloud, stamp);
+  const std::size_t same = frozen_.count(view, stamp);
   if (same < settings_.frozen_clouds) return std::nullopt;
   stop(Cause::Frozen, std::to_string(same) + " successive clouds have the same content", now);
   last_.sight = sight;

@@ -47,7 +47,7 @@ class SafetyControl {
   explicit SafetyControl(const Settings& settings);
 
   /// The decision for a cloud that has just arrived, readable or not.
-  Decision decide(const Reading& cloud, const Origin& origin, const Instant& now, Crop crop = Crop::Skip);
+  Decision decide(const Reading& reading, const Origin& origin, const Instant& now, Crop crop = Crop::Skip);
 
   /// The decision that holds when no cloud arrives: the last one until source_timeout, then stop.
   Decision without_cloud(const Instant& now);
@@ -61,8 +61,8 @@ class SafetyControl {
   const Settings& settings() const { return settings_; }
 
  private:
-  std::optional<Decision> doubt_before_looking(const Reading& cloud, const Origin& origin, const Instant& now);
-  std::optional<Decision> doubt_about(const Sight& sight, const CloudView& cloud, double stamp, double now);
+  std::optional<Decision> doubt_before_looking(const Reading& reading, const Origin& origin, const Instant& now);
+  std::optional<Decision> doubt_about(const Sight& sight, const View& view, double stamp, double now);
   Decision decide_by(const Sight& sight, const std::optional<Loss>& loss, double now);
   Decision stop(Cause cause, std::string reason, double now);
   bool clock_went_back(double ros_now);

@@ -9,7 +9,7 @@
 #endif
 
 #include "corridor.hpp"
-#include "scan_points-inl.hpp"
+#include "scan_depths-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace safety_control_cloud {

@@ -57,7 +57,7 @@ using SeenPixels = std::array<std::uint16_t, Runs::longest + Inside::longest_vec
 HWY_INLINE void fetch_pixels(const Run& run, const PixelMemory& memory) {
   constexpr std::size_t cache_line = 64 / sizeof(std::uint16_t);
   const std::uint16_t* pixels = memory.pixels.data() + run.first;
-  for (std::size_t i = 0; i < run.points.width; i += cache_line) hwy::Prefetch(pixels + i);
+  for (std::size_t i = 0; i < width_of(run.points); i += cache_line) hwy::Prefetch(pixels + i);
 }
 
 /// Brings a piece of a row up to date, and PixelMemory::note().
@@ -91,7 +91,7 @@ HWY_NOINLINE void remember_piece(const std::uint16_t* seen, PixelMemory& memory,
 
 void remember_pixels(const Run& run, const SeenPixels& seen, PixelMemory& memory) {
   const std::uint16_t* piece = seen.data();
-  memory.for_each_piece(run.first, run.points.width, [&](std::size_t row, std::size_t column, std::size_t size) {
+  memory.for_each_piece(run.first, width_of(run.points), [&](std::size_t row, std::size_t column, std::size_t size) {
     remember_piece(piece, memory, row, column, size);
     piece += size;
   });

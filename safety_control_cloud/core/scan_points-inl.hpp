@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the points of a run come into vectors; part of scan_simd.cpp, compiled once for every instruction set.
+// How the points of a cloud come into vectors; part of scan_simd.cpp, compiled once for every instruction set.
 #if defined(SAFETY_CONTROL_CLOUD_SCAN_POINTS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SAFETY_CONTROL_CLOUD_SCAN_POINTS_INL
 #undef SAFETY_CONTROL_CLOUD_SCAN_POINTS_INL
@@ -122,7 +122,7 @@ struct Copied {
   HWY_ALIGN float x[longest], y[longest], z[longest];
 
   /// Of at most `longest` points. The last vector is filled up with NaN, which is nothing.
-  explicit Copied(const CloudView& few) {
+  explicit Copied(const View& few) {
     std::size_t at = 0;
     for_each_point(few, [&](float px, float py, float pz) {
       x[at] = px;
@@ -149,20 +149,18 @@ HWY_NOINLINE void visit_points(const Source& points, std::size_t size, std::size
   visitor = local;
 }
 
-template <class Visitor>
-void visit_copies(const CloudView& points, std::size_t begin, Visitor& visitor) {
-  for (; begin < points.width; begin += Copied::longest) {
-    CloudView few = points;
-    few.bytes += begin * points.point_step;
-    few.width = std::min(points.width - begin, Copied::longest);
-    visit_points(Copied(few), few.width, begin, visitor);
+template <class Row, class Visitor>
+void visit_copies(const Row& row, std::size_t begin, Visitor& visitor) {
+  for (; begin < row.width; begin += Copied::longest) {
+    const std::size_t width = std::min(row.width - begin, Copied::longest);
+    visit_points(Copied(piece_of(row, 0, begin, width)), width, begin, visitor);
   }
 }
 
-/// Lets the visitor take the points of a run in their order, the fastest way that the layout allows.
+/// Lets the visitor take the points of one row of a cloud, the fastest way that the layout allows. `followed` as in
+/// Run.
 template <class Visitor>
-void visit_run(const Run& run, Visitor& visitor) {
-  const CloudView& points = run.points;
+void visit(const CloudView& points, [[maybe_unused]] bool followed, Visitor& visitor) {
   std::size_t visited = 0;
 #if HWY_TARGET != HWY_SCALAR
   const auto [x, y, z] = points.offset;
@@ -171,7 +169,7 @@ void visit_run(const Run& run, Visitor& visitor) {
   const bool near = points.point_step >= 3 * sizeof(float) && end - lowest <= block_size;
   if (near && points.scalar == Scalar::Float32 && !points.swapped) {
     // The last point of the cloud must be copied: its block may end beyond the data.
-    visited = (points.width - (run.followed ? 0 : 1)) / lanes * lanes;
+    visited = (points.width - (followed ? 0 : 1)) / lanes * lanes;
     const std::uint8_t* first = points.bytes + lowest;
     if (plain && points.point_step == 12) {
       visit_points(Packed{first}, visited, 0, visitor);

@@ -38,7 +38,7 @@ Counts scan(const Runs& runs, std::size_t begin, std::size_t end, const Corridor
       *pixel = updated(*pixel, point, corridor, gaze.memory->distance);
       ++pixel;
     });
-    if (gaze.memory) gaze.memory->note(run.first, run.points.width);
+    if (gaze.memory) gaze.memory->note(run.first, width_of(run.points));
     nearest[i] = nearest_of_run;
   }
   return counts;

@@ -99,6 +99,15 @@ std::optional<Method> method_named(const std::string& name) {
   return std::nullopt;
 }
 
+const char* name_of(Input input) { return input == Input::Depth ? "depth" : "cloud"; }
+
+std::optional<Input> input_named(const std::string& name) {
+  for (const Input input : {Input::Cloud, Input::Depth}) {
+    if (name == name_of(input)) return input;
+  }
+  return std::nullopt;
+}
+
 Corridor corridor_of(const Settings& settings) {
   Corridor corridor = settings.corridor;
   if (settings.target_frame.empty()) return corridor;

@@ -23,6 +23,15 @@ enum class Method : std::uint8_t {
 const char* name_of(Method method);  ///< "one_pass" or "pcl"
 std::optional<Method> method_named(const std::string& name);
 
+/// What the camera sends: from the same picture, both give the same Sight.
+enum class Input : std::uint8_t {
+  Cloud,  ///< points
+  Depth,  ///< depth images
+};
+
+const char* name_of(Input input);  ///< "cloud" or "depth"
+std::optional<Input> input_named(const std::string& name);
+
 /// The corridor in a target frame (x forward, y left, z up), as distances and heights from its origin.
 struct FrameCorridor {
   double left = 0.30;    ///< [m] to the left of the frame's x axis
@@ -47,10 +56,11 @@ struct Settings {
   Stopping stopping;
   double publish_rate = 10.0;  ///< [Hz] at which a command goes out even if no cloud comes in
   Method method = Method::OnePass;
+  Input input = Input::Cloud;
 };
 
 /// Calls visit(name, value) for every parameter, with the name it has in ROS, in YAML and in Python.
-/// `settings` may be const; `visit` must take float, double, std::size_t, std::string and Method.
+/// `settings` may be const; `visit` must take float, double, std::size_t, std::string, Method and Input.
 template <class SettingsOrConst, class Visit>
 void for_each_parameter(SettingsOrConst& settings, Visit visit) {
   visit("x_min", settings.corridor.x_min);
@@ -81,6 +91,7 @@ void for_each_parameter(SettingsOrConst& settings, Visit visit) {
   visit("base_deceleration", settings.stopping.base_deceleration);
   visit("publish_rate", settings.publish_rate);
   visit("method", settings.method);
+  visit("input", settings.input);
 }
 
 /// The corridor to look down, in the axes x right, y down, z forward of whichever frame it lies in.

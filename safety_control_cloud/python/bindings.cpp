@@ -21,9 +21,9 @@ struct BorrowedCloud {
   py::object owner;
   core::Reading reading;
 
-  const core::CloudView& view() const {
+  core::View view() const {
     if (const auto* unreadable = std::get_if<core::Unreadable>(&reading)) throw py::value_error(unreadable->reason);
-    return std::get<core::CloudView>(reading);
+    return core::view_in(reading);
   }
 };
 
@@ -66,6 +66,28 @@ BorrowedCloud cloud_of_bytes(const py::buffer& data, std::uint32_t height, std::
           core::view_of(layout, static_cast<const std::uint8_t*>(bytes.ptr), static_cast<std::size_t>(bytes.size))};
 }
 
+core::Depth unit_of(const py::array& image) {
+  const py::dtype dtype = image.dtype();
+  if (dtype.kind() == 'f' && dtype.itemsize() == 4) return core::Depth::Metres;
+  if (dtype.kind() == 'u' && dtype.itemsize() == 2) return core::Depth::Millimetres;
+  throw py::type_error("image must be float32 [m] or uint16 [mm]");
+}
+
+BorrowedCloud cloud_of_depth(const py::array& image, double fx, double fy, double cx, double cy) {
+  if (image.ndim() != 2) throw py::value_error("image must have shape (H, W)");
+  core::DepthView view;
+  view.bytes = static_cast<const std::uint8_t*>(image.data());
+  view.height = static_cast<std::size_t>(image.shape(0));
+  view.width = static_cast<std::size_t>(image.shape(1));
+  view.row_step = forward_stride(image, 0);
+  view.depth = unit_of(image);
+  view.swapped = !image.dtype().attr("isnative").cast<bool>();
+  view.camera = {fx, fy, cx, cy};
+  if (forward_stride(image, 1) != view.pixel_step() && view.size() > 0)
+    throw py::value_error("a row's pixels must follow each other: pass numpy.ascontiguousarray(image)");
+  return {image, view};
+}
+
 /// A Cloud as it is, or the points of an array.
 BorrowedCloud cloud_in(const py::object& given) {
   return py::isinstance<BorrowedCloud>(given) ? given.cast<BorrowedCloud>() : cloud_of_points(given.cast<py::array>());
@@ -73,10 +95,10 @@ BorrowedCloud cloud_in(const py::object& given) {
 
 core::Crop crop_if(bool wanted) { return wanted ? core::Crop::Keep : core::Crop::Skip; }
 
-template <core::Sight (*Look)(const core::CloudView&, const core::Corridor&, const core::Gaze&)>
+template <core::Sight (*Look)(const core::View&, const core::Corridor&, const core::Gaze&)>
 core::Sight look(const py::object& given, const core::Settings& settings, bool crop) {
   const BorrowedCloud cloud = cloud_in(given);
-  const core::CloudView& view = cloud.view();
+  const core::View view = cloud.view();
   const py::gil_scoped_release unlocked;
   core::Gaze gaze;
   gaze.crop = crop_if(crop);
@@ -108,6 +130,7 @@ py::object array_over(const core::Cloud::Ptr& crop) {
 }
 
 py::object object_of(core::Method method) { return py::str(core::name_of(method)); }
+py::object object_of(core::Input input) { return py::str(core::name_of(input)); }
 template <class Value>
 py::object object_of(const Value& value) {
   return py::cast(value);
@@ -116,6 +139,11 @@ py::object object_of(const Value& value) {
 template <class Value>
 void take(const py::handle& given, Value& value) {
   value = given.cast<Value>();
+}
+void take(const py::handle& given, core::Input& value) {
+  const auto input = core::input_named(given.cast<std::string>());
+  if (!input) throw py::value_error("input must be 'cloud' or 'depth'");
+  value = *input;
 }
 void take(const py::handle& given, core::Method& value) {
   const auto method = core::method_named(given.cast<std::string>());
@@ -169,6 +197,8 @@ void bind_clouds(py::module& module) {
       .def(py::init(&cloud_of_points), py::arg("points"))
       .def_static("of_bytes", &cloud_of_bytes, py::arg("data"), py::arg("height"), py::arg("width"), py::arg("fields"),
                   py::arg("is_bigendian"), py::arg("point_step"), py::arg("row_step"))
+      .def_static("of_depth", &cloud_of_depth, py::arg("image"), py::arg("fx"), py::arg("fy"), py::arg("cx"),
+                  py::arg("cy"))
       .def_property_readonly("unreadable", [](const BorrowedCloud& cloud) -> py::object {
         const auto* unreadable = std::get_if<core::Unreadable>(&cloud.reading);
         return unreadable ? py::object(py::str(unreadable->reason)) : py::none();

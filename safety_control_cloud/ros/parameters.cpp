@@ -34,7 +34,7 @@ std::size_t edits_between(const std::string& from, const std::string& to) {
 }
 
 std::vector<std::string> known_names() {
-  std::vector<std::string> names = {"diagnostic_period", "refusal"};  // diagnostic_updater's, dynamic_reconfigure's
+  std::vector<std::string> names = {"diagnostic_period", "refusal", "image_transport"};  // libraries' own
   const Settings defaults;
   for_each_parameter(defaults, [&](const char* name, const auto&) { names.emplace_back(name); });
   return names;
@@ -100,11 +100,20 @@ struct Taking {
   }
 
   std::optional<std::string> into(Method& setting) const {
+    return into_choice(setting, method_named, "must be one_pass or pcl");
+  }
+  std::optional<std::string> into(Input& setting) const {
+    return into_choice(setting, input_named, "must be cloud or depth");
+  }
+
+ private:
+  template <class Choice, class Named>
+  std::optional<std::string> into_choice(Choice& setting, Named named, const char* otherwise) const {
     std::string name;
     const bool is_name = !into(name);
-    const auto method = is_name ? method_named(name) : std::nullopt;
-    if (!method) return "must be one_pass or pcl";
-    setting = *method;
+    const auto choice = is_name ? named(name) : std::nullopt;
+    if (!choice) return otherwise;
+    setting = *choice;
     return std::nullopt;
   }
 };

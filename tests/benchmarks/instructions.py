@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "build" / "tests" / "benchmarks" / "kernel_instructions"
 STORED = Path(__file__).with_name("instructions.json")
 POINTS = 640 * 480
-STEPS = (12, 16, 20, 32)
+STEPS = (2, 4, 12, 16, 20, 32)  # [byte] of a point; 2 and 4 are depth images
 WAYS = ("look", "near_loss")
 COUNTED_BY_CALLGRIND = ("AVX2", "SSE4", "PORTABLE")  # of what the kernel has, what valgrind can run
 

@@ -63,12 +63,12 @@ void remember(benchmark::State& state, const Picture& picture, bool placed) {
   NearLoss near_loss{NearLossLimits{}};
   const Placement placement;
   const auto judge = [&](const std::uint8_t* bytes) {
-    const CloudView cloud = view_of(picture, bytes);
+    const View view = view_of(picture, bytes);
     Gaze gaze;
-    gaze.memory = near_loss.memory_for(cloud);
+    gaze.memory = near_loss.memory_for(view);
     if (placed) gaze.placement = &placement;
-    const Sight sight = look(cloud, Corridor{}, gaze);
-    return near_loss.judge(cloud, sight, Corridor{}, gaze, 0.0);
+    const Sight sight = look(view, Corridor{}, gaze);
+    return near_loss.judge(view, sight, Corridor{}, gaze, 0.0);
   };
   Picture before = picture;
   before.nan_share = 0.0;
@@ -111,7 +111,23 @@ void add(const Picture& picture) {
   add_as("tutorial", [=](benchmark::State& state) { by_pcl<tutorial>(state, picture); });
 }
 
+/// Depth images, which are no message of the tutorial's.
+void add_depths(const std::string& scene, double nan_share) {
+  for (const std::size_t pixel_step : {2, 4}) {
+    const Picture picture{640, 480, pixel_step, nan_share, scene};
+    const std::string what = "/640x480/depth_" + std::to_string(pixel_step) + "/" + scene;
+    const auto add_as = [&](const std::string& name, auto run) {
+      benchmark::RegisterBenchmark((name + what).c_str(), run)->Unit(benchmark::kMillisecond);
+    };
+    add_as("read_fresh", [=](benchmark::State& state) { read(state, picture, true); });
+    add_as("one_pass_fresh", [=](benchmark::State& state) { one_pass(state, picture, true); });
+    add_as("near_loss", [=](benchmark::State& state) { remember(state, picture, false); });
+    add_as("near_loss_placed", [=](benchmark::State& state) { remember(state, picture, true); });
+  }
+}
+
 void add_all() {
+  for (const char* scene : {"wall_0.6m", "wall_2m", "mixed"}) add_depths(scene, 0.3);
   using Size = std::pair<std::size_t, std::size_t>;
   for (const auto& [width, height] : {Size{320, 240}, Size{640, 480}, Size{1280, 720}, Size{4096, 3072}}) {
     for (const std::size_t point_step : {12, 16, 20, 32}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a decision looks at in one VGA cloud, for callgrind to count: kernel_instructions POINT_STEP INSTRUCTION_SET WAY
+// What a decision looks at in one VGA picture of scenes.hpp, for callgrind to count:
+// kernel_instructions POINT_STEP INSTRUCTION_SET WAY
 // The way is look, or near_loss: with the memory of what came near, of which some has been lost.
 // Without arguments it prints the compiler and its instruction sets, a line each.
 #include <cstdlib>
@@ -21,15 +22,15 @@ constexpr const char* compiler = "gcc";
 constexpr int version = __GNUC__;
 #endif
 
-void look_and_judge(const CloudView& cloud, NearLoss& near_loss) {
+void look_and_judge(const View& view, NearLoss& near_loss) {
   Gaze gaze;
-  gaze.memory = near_loss.memory_for(cloud);
-  const Sight sight = look(cloud, Corridor{}, gaze);
-  near_loss.judge(cloud, sight, Corridor{}, gaze, 0.0);
+  gaze.memory = near_loss.memory_for(view);
+  const Sight sight = look(view, Corridor{}, gaze);
+  near_loss.judge(view, sight, Corridor{}, gaze, 0.0);
 }
 
 /// Callgrind counts what happens in here.
-[[gnu::noinline]] void counted(const CloudView& cloud, NearLoss& near_loss) { look_and_judge(cloud, near_loss); }
+[[gnu::noinline]] void counted(const View& view, NearLoss& near_loss) { look_and_judge(view, near_loss); }
 
 int describe() {
   std::cout << compiler << ' ' << version << '\n';

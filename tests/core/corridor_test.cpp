@@ -11,7 +11,7 @@
 namespace safety_control_cloud {
 namespace {
 
-using Look = Sight (*)(const CloudView&, const Corridor&, const Gaze&);
+using Look = Sight (*)(const View&, const Corridor&, const Gaze&);
 
 Gaze keeping_the_crop() {
   Gaze gaze;

@@ -6,35 +6,17 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstring>
 
 #include "../../safety_control_cloud/core/passthrough.hpp"
 #include "random_cloud.hpp"
+#include "same_sight.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
 constexpr std::uint64_t clouds = 10000;
 
-using Method = Sight (*)(const CloudView&, const Corridor&, const Gaze&);
-
-bool same_bits(const Point& a, const Point& b) { return std::memcmp(a.data, b.data, 3 * sizeof(float)) == 0; }
-
-bool same(const Sight& a, const Sight& b) {
-  if (a.inside != b.inside || a.too_close != b.too_close || a.returns != b.returns || a.total != b.total) return false;
-  if (a.lost != b.lost) return false;
-  if (a.nearest.has_value() != b.nearest.has_value()) return false;
-  if (a.nearest && !same_bits(a.nearest->point, b.nearest->point)) return false;
-  if ((a.crop == nullptr) != (b.crop == nullptr)) return false;
-  return !a.crop || std::equal(a.crop->begin(), a.crop->end(), b.crop->begin(), b.crop->end(), same_bits);
-}
-
-std::string words(const Sight& sight) {
-  return std::to_string(sight.inside) + " inside, " + std::to_string(sight.too_close) + " too close, " +
-         std::to_string(sight.returns) + " returns of " + std::to_string(sight.total) + ", " +
-         std::to_string(sight.lost) + " lost, nearest " +
-         (sight.nearest ? std::to_string(sight.nearest->distance()) : "none");
-}
+using Method = Sight (*)(const View&, const Corridor&, const Gaze&);
 
 class InstructionSet : public testing::TestWithParam<std::string> {
  protected:
@@ -51,10 +33,6 @@ struct Seen {
   std::vector<std::uint16_t> pixels;
   NearPixels near;
 };
-
-bool same(const NearPixels& a, const NearPixels& b) {
-  return a.nearest_now == b.nearest_now && a.nearest_lost == b.nearest_lost && a.now == b.now && a.lost == b.lost;
-}
 
 Seen seen_by(Method method, const RandomCloud& cloud, Crop crop) {
   PixelMemory memory = cloud.memory;

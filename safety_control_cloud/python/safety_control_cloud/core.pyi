@@ -69,13 +69,14 @@ class Settings:
     base_deceleration: float
     publish_rate: float
     method: str
+    input: str
     def __init__(self, **parameters: Union[float, int, str]) -> None: ...
     def as_dict(self) -> Dict[str, Any]: ...
     def problems(self) -> List[str]:
         """A sentence for everything that makes these settings unfit to drive with; empty if they are fit."""
 
 class Cloud:
-    """A cloud in borrowed memory. An array of points may stand wherever a Cloud is asked for."""
+    """A cloud, or a depth image, in borrowed memory. An array of points may stand wherever a Cloud is asked for."""
 
     def __init__(self, points: np.ndarray) -> None:
         """Points of shape (N, 3), or (H, W, 3) if organised, with any strides that do not run backwards.
@@ -95,6 +96,13 @@ class Cloud:
         """The content of a sensor_msgs/PointCloud2; fields are (name, offset [byte], datatype code, count).
 
         A layout that contradicts itself makes an unreadable cloud, as it does in the node; it does not raise.
+        """
+    @staticmethod
+    def of_depth(image: np.ndarray, fx: float, fy: float, cx: float, cy: float) -> Cloud:
+        """A rectified depth image of shape (H, W), float32 [m] or uint16 [mm], and its camera [px].
+
+        Its points are those of depth_image_proc/point_cloud_xyz. Raises TypeError for another type of pixel, ValueError
+        for another shape or for pixels of a row that do not follow each other.
         """
     @property
     def unreadable(self) -> Optional[str]:

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "view.hpp"
+
+namespace safety_control_cloud {
+
+/// Why what a camera sent cannot be read, in words for the robot's owner.
+struct Unreadable {
+  std::string reason;
+};
+
+using Reading = std::variant<CloudView, DepthView, Unreadable>;
+
+/// The view of a reading that is readable.
+inline View view_in(const Reading& reading) {
+  if (const auto* image = std::get_if<DepthView>(&reading)) return *image;
+  return std::get<CloudView>(reading);
+}
+
+/// Whether bytes that claim this order must be swapped on this machine.
+inline bool is_foreign(bool is_bigendian) { return is_bigendian != (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__); }
+
+}  // namespace safety_control_cloud
