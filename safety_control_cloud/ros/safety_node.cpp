@@ -51,14 +51,19 @@ SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, S
   if (!target_frame.empty()) camera_place_ = std::make_unique<CameraPlace>(target_frame);
   constexpr bool once = true, not_yet = false;
   quiet_ = handle.createSteadyTimer(ros::WallDuration(1.0), &SafetyNode::on_quiet, this, once, not_yet);
-  clouds_ = subscribe(handle, "camera/depth/points", [this](const Arrival& arrival) { on_arrival(arrival); });
+  const OnArrival arrived = [this](const Arrival& arrival) { on_arrival(arrival); };
+  if (control_.settings().input == Input::Depth) {
+    depths_ = std::make_unique<DepthInput>(handle, private_handle, "camera/depth/image_rect", arrived);
+  } else {
+    clouds_ = subscribe(handle, "camera/depth/points", arrived);
+  }
   publish(control_.without_cloud(now()));
 }
 
 SafetyNode::~SafetyNode() { command_.publish(geometry_msgs::Twist()); }
 
 void SafetyNode::on_arrival(const Arrival& arrival) {
-  ROS_INFO_ONCE("Point cloud arrived");
+  ROS_INFO_ONCE("%s arrived", depths_ ? "Depth image" : "Point cloud");
   last_cloud_ = ros::SteadyTime::now();
   header_ = arrival.header;
   const Decision decision = decide(arrival);

@@ -9,6 +9,7 @@
 
 #include "../core/safety_control.hpp"
 #include "arrival.hpp"
+#include "depth_input.hpp"
 #include "diagnostics.hpp"
 #include "reconfigure.hpp"
 #include "transforms.hpp"
@@ -41,6 +42,7 @@ class SafetyNode {
   std::unique_ptr<CameraPlace> camera_place_;  ///< only with a target frame
   ros::Publisher command_, output_, state_, markers_;
   ros::Subscriber clouds_;
+  std::unique_ptr<DepthInput> depths_;  ///< in place of clouds_, if these are the input
   ros::ServiceServer reset_;
   ros::SteadyTimer quiet_;
   Reconfigure reconfigure_;
