@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, Dict, Sequence
 
 import cameras
+import depth
 import growth
 import instructions
 import kernel
@@ -19,7 +20,7 @@ from rich.table import Table
 from safety_control_cloud.processes import end_on_sigterm
 from safety_control_cloud.ros_session import roscore
 
-PARTS = {"kernel": kernel, "nodes": nodes, "cameras": cameras}
+PARTS = {"kernel": kernel, "nodes": nodes, "depth": depth, "cameras": cameras}
 INTERRUPTED = 130  # exit code
 Figures = Dict[str, Dict[str, float]]
 MEANINGS = {
@@ -35,6 +36,7 @@ MEANINGS = {
     "node_latency_vs_floor": "cloud to Twist, our node / one that only answers",
     "node_faults_per_cloud": "minor page faults of our node",
     "nodelet_latency_ms": "cloud to Twist inside one process [ms]",
+    "depth_cpu_vs_chain": "CPU an image, our node / depth_image_proc and our node",
     "cameras_cpu_growth": "CPU a cloud with 2 and 4 cameras and nodes / with one",
 }
 EPILOG = """\

@@ -57,21 +57,32 @@ class Exchange:
 
 def exchanges(target: str, stream: Stream, clouds: int, pairs: int = 1) -> List[Exchange]:
     """So many cameras, each with a node of its own, all at once. Needs a master: ros_session.roscore()."""
+    program = "depth_camera" if target in ("depth", "chain") else "cloud_camera"
     with ExitStack() as stack:
         running = []
         for place in (f"__ns:=/robot_{number}" for number in range(pairs)):
-            node = stack.enter_context(process([*command_of(target), place]))
-            camera = [str(PROGRAMS / "cloud_camera"), *_numbers(stream, clouds), str(node.pid), place]
-            running.append((stack.enter_context(process(camera)), node))
-        return [_report(camera, stream, clouds, node) for camera, node in running]
+            nodes = [stack.enter_context(process([*command, place])) for command in commands_of(target)]
+            ids = [str(node.pid) for node in nodes]
+            camera = stack.enter_context(process([str(PROGRAMS / program), *_numbers(stream, clouds), *ids, place]))
+            running.append((camera, nodes))
+        return [_report(camera, stream, clouds, *nodes) for camera, nodes in running]
 
 
-def command_of(target: str) -> List[str]:
-    """What takes the clouds and answers."""
+def commands_of(target: str) -> List[List[str]]:
+    """What takes the clouds or images and answers."""
     if target in ("tutorial", "floor"):
-        return [str(PROGRAMS / f"{target}_node")]
-    method = "pcl" if target == "ours_pcl" else "one_pass"  # both said: the master keeps what the last one was given
-    return [executable_of(PACKAGE, "safety_control_node"), *_parameters(), f"_method:={method}"]
+        return [[str(PROGRAMS / f"{target}_node")]]
+    # All said each time: the master keeps what the last node of this name was given.
+    method, taken = ("pcl" if target == "ours_pcl" else "one_pass"), ("depth" if target == "depth" else "cloud")
+    said = [f"_method:={method}", f"_input:={taken}"]
+    ours = [executable_of(PACKAGE, "safety_control_node"), *_parameters(), *said]
+    return [_to_clouds(), ours] if target == "chain" else [ours]
+
+
+def _to_clouds() -> List[str]:
+    """depth_image_proc, in a nodelet manager of its own."""
+    topics = ["image_rect:=camera/depth/image_rect", "points:=camera/depth/points"]
+    return [executable_of("nodelet", "nodelet"), "standalone", "depth_image_proc/point_cloud_xyz", *topics]
 
 
 def exchange_in_one_process(stream: Stream, clouds: int) -> Exchange:

@@ -36,7 +36,11 @@ def cases(plan: Plan) -> List[Case]:
 
 def measure(plan: Plan, done: Callable[[], None]) -> Table:
     """Needs a master."""
-    met = in_turn(cases(plan), plan, lambda case: exchange(*case, plan.clouds), done)
+    return measure_cases(cases(plan), plan, done)
+
+
+def measure_cases(chosen: Sequence[Case], plan: Plan, done: Callable[[], None]) -> Table:
+    met = in_turn(chosen, plan, lambda case: exchange(*case, plan.clouds), done)
     table: Table = defaultdict(dict)
     for (stream, side), all_ in met.items():
         table[stream][side] = cost_of(all_)
@@ -72,7 +76,11 @@ def figures(table: Table) -> Dict[str, Dict[str, float]]:
 
 
 def table_of(table: Table) -> RichTable:
-    shown = RichTable("cloud", "node", title="From cloud to Twist, through real processes")
+    return table_with_title(table, "From cloud to Twist, through real processes")
+
+
+def table_with_title(table: Table, title: str) -> RichTable:
+    shown = RichTable("picture", "node", title=title)
     for heading in ("latency [ms]", "spread", "p99", "CPU [ms/cloud]", "spread", "faults/cloud"):
         shown.add_column(heading, justify="right")
     for stream, by_side in table.items():

@@ -30,7 +30,9 @@ def master():
 
 
 @pytest.mark.parametrize(
-    "side, speed", [("ours", 0.1), ("ours_pcl", 0.1), ("tutorial", 0.1), ("nodelet", 0.1), ("floor", 0.0)])
+    "side, speed",
+    [*((side, 0.1) for side in ("ours", "ours_pcl", "tutorial", "nodelet", "depth", "chain")), ("floor", 0.0)],
+)
 def test_every_cloud_gets_exactly_one_answer_and_the_right_one(master, side, speed):
     met = nodes.exchange(exchange.QVGA, side, CLOUDS)
     assert met.twists == (1,) * CLOUDS
@@ -54,11 +56,12 @@ def test_several_cameras_are_answered_each_by_its_own_node(master):
 @pytest.mark.slow
 def test_the_json_names_every_figure_and_case(tmp_path):
     file = tmp_path / "figures.json"
-    little = ["--quick", "--only", "nodes", "--only", "cameras", "--repetitions", "1", "--clouds", "2"]
+    parts = ["--only", "nodes", "--only", "depth", "--only", "cameras"]
+    little = ["--quick", *parts, "--repetitions", "1", "--clouds", "2"]
     subprocess.run([sys.executable, HERE, *little, "--json", file], stdout=subprocess.DEVNULL, check=True)
     figures = json.loads(file.read_text())
     ratios = ("node_cpu_vs_tutorial", "node_cpu_vs_floor", "node_latency_vs_floor")
-    for name in (*ratios, "node_faults_per_cloud", "nodelet_latency_ms"):
+    for name in (*ratios, "node_faults_per_cloud", "nodelet_latency_ms", "depth_cpu_vs_chain"):
         assert set(figures[name]) == {"worst", "median"}
     [case] = figures["nodes"]
     assert set(case) == {"case", *nodes.SIDES}
