@@ -21,7 +21,7 @@ _PITCH = 0.007  # [m] that the corridor's bottom lies lower at FREE_TO when the 
 _UNSEEN = 4  # MuJoCo's camera does not draw this group
 # No textures and no buffer for shadows, which the camera does not draw: making the renderer takes a tenth of the time.
 _SCENERY = '<visual><headlight ambient="0.5 0.5 0.5"/><quality shadowsize="0"/></visual>'
-_FLOOR = '<geom name="floor" type="plane" size="0 0 1" rgba="0.62 0.61 0.58 1"/>'
+_FLOOR = '<geom name="floor" type="plane" size="20 20 1" rgba="0.62 0.61 0.58 1"/>'
 _HIDES = 0.95  # a picture nearer than this share of another has something before it
 
 
