@@ -58,3 +58,24 @@ def test_sigterm_leaves_every_block_in_order():
     result = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
 
     assert (result.returncode, result.stdout) == (128 + signal.SIGTERM, "in order\n")
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_process_that_is_just_starting_does_not_outlive_a_signal(monkeypatch, number):
+    started = []
+    start = subprocess.Popen
+
+    def start_and_be_interrupted(*arguments, **options):
+        started.append(start(*arguments, **options))
+        signal.raise_signal(number)
+        return started[0]
+
+    monkeypatch.setattr(subprocess, "Popen", start_and_be_interrupted)
+    usual = signal.signal(number, signal.default_int_handler)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            with process(["sleep", "600"]):
+                pytest.fail("the block was entered")
+    finally:
+        signal.signal(number, usual)
+    assert started[0].poll() is not None

@@ -11,10 +11,12 @@ import signal
 import subprocess
 import sys
 import tempfile
+import threading
 from contextlib import contextmanager
-from typing import IO, Iterator, Optional, Sequence
+from typing import IO, Iterator, List, Optional, Sequence
 
 SIGNALS = ((signal.SIGINT, 5.0), (signal.SIGTERM, 2.0), (signal.SIGKILL, 5.0))  # how to end one, and the patience [s]
+INTERRUPTS = (signal.SIGINT, signal.SIGTERM)
 
 
 class ProcessError(RuntimeError):
@@ -76,11 +78,31 @@ class Process:
 @contextmanager
 def process(command: Sequence[str]) -> Iterator[Process]:
     """Runs a command for as long as the block lasts."""
-    running = Process(command)
+    running = None
     try:
+        with _signals_deferred():
+            running = Process(command)
         yield running
     finally:
-        running.end()
+        if running:
+            running.end()
+
+
+@contextmanager
+def _signals_deferred() -> Iterator[None]:
+    """Lets Ctrl-C and SIGTERM wait for the end of the block: a process is not to start unseen by who ends it."""
+    if threading.current_thread() is not threading.main_thread():
+        yield  # Python handles signals in its main thread alone
+        return
+    arrived: List[int] = []
+    usual = {number: signal.signal(number, lambda number, frame: arrived.append(number)) for number in INTERRUPTS}
+    try:
+        yield
+    finally:
+        for number, handler in usual.items():
+            signal.signal(number, handler)
+        for number in arrived:
+            signal.raise_signal(number)
 
 
 def end_on_sigterm() -> None:
