@@ -54,6 +54,13 @@ class Ours:
         return _verdict(self._control.without_cloud(now, ros_now=_EPOCH + now))
 
 
+def tutorial_verdict(nearest: float) -> Verdict:
+    """For the nearest point's distance [m]; our defaults are the same."""
+    if nearest > 1.0:
+        return Verdict("Safe", 0.2, "SEEN")
+    return Verdict("Warning", 0.1, "SEEN") if nearest > 0.5 else Verdict("Danger", 0.0, "SEEN")
+
+
 class Tutorial:
     """PassThrough y, PassThrough x, getMinMax3D: where the crop is empty, its minimum is 3.4e38, and that is Safe."""
 
@@ -65,10 +72,7 @@ class Tutorial:
     def decide(self, depth: NDArray[np.float32], stamp: float, now: float) -> Verdict:
         x, y, z = np.moveaxis(points(depth, self._xtion), -1, 0)
         inside = (y >= np.float32(-0.25)) & (y <= np.float32(0.20)) & (x >= np.float32(-0.30)) & (x <= np.float32(0.30))
-        nearest = z[inside].min(initial=np.finfo(np.float32).max)
-        if nearest > 1.0:
-            return Verdict("Safe", 0.2, "SEEN")
-        return Verdict("Warning", 0.1, "SEEN") if nearest > 0.5 else Verdict("Danger", 0.0, "SEEN")
+        return tutorial_verdict(float(z[inside].min(initial=np.finfo(np.float32).max)))
 
     def without_cloud(self, now: float) -> Verdict:
         raise AssertionError("the tutorial's node has no watchdog")

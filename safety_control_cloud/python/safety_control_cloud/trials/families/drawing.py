@@ -10,6 +10,7 @@ import numpy as np
 
 from ...simulation.base import DRIVER, Pose, stepped
 from ...simulation.sensor import Xtion
+from ..deciders import tutorial_verdict
 from ..things import Path, Thing, wall
 
 if TYPE_CHECKING:
@@ -82,9 +83,9 @@ def stops_at(start: float, begins: float, speed: float) -> float:
         walks = speed if time >= begins else 0.0
         apart = start - STRIDE - walks * (time - begins) - (x + CAMERA_X)
         seen = apart + LATENCY * (now + walks)
-        wanted = 0.2 if seen > 1.0 else 0.1 if seen > 0.5 else 0.0
+        wanted = tutorial_verdict(seen).speed
         now = stepped(now, wanted, (DRIVER.acceleration if wanted > now else DRIVER.deceleration) * step)
-        if seen <= 0.5 and now == 0.0:
+        if wanted == now == 0.0:
             return x
         x, time = x + now * step, time + step
 
