@@ -13,7 +13,7 @@ import rospy
 from geometry_msgs.msg import PointStamped, PoseWithCovarianceStamped, Twist
 from nav_msgs.msg import Odometry
 from rosgraph_msgs.msg import Clock
-from sensor_msgs.msg import CameraInfo, Image, JointState, PointCloud2
+from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 from std_srvs.srv import Empty as EmptyService
 from std_srvs.srv import EmptyResponse
@@ -22,6 +22,7 @@ from tf2_msgs.msg import TFMessage
 from ..simulation.base import Pose
 from ..simulation.turtlebot import TICK, TurtleBot
 from . import messages
+from .camera_topics import CameraTopics
 from .pace import Pace
 
 _ODOMETRY_EVERY = 2  # ticks: 50 Hz, as kobuki_node
@@ -41,9 +42,9 @@ class TurtlebotSim:
         self._robot = robot
         self._options = options
         self._orders: SimpleQueue[Callable[[], None]] = SimpleQueue()
-        self._cloud = messages.CloudMessage(robot.world.xtion)
         self._touched: str | None = None
         self._advertise()
+        self._camera = CameraTopics(robot, options.depth_encoding)
         self._subscribe()
 
     def run(self, draw: Callable[[], None] = lambda: None) -> None:
@@ -61,7 +62,7 @@ class TurtlebotSim:
             if tick % _ODOMETRY_EVERY == 0:
                 self._publish_odometry(stamp)
             if tick % picture_every == 0:
-                self._publish_pictures(stamp)
+                self._camera.publish(stamp)
                 draw()
             pace.keep(TICK)
         self._robot.close()
@@ -72,12 +73,6 @@ class TurtlebotSim:
         self._joints = rospy.Publisher("/joint_states", JointState, queue_size=10)
         self._transforms = rospy.Publisher("/tf", TFMessage, queue_size=100)
         self._contacts = rospy.Publisher("~contacts", String, queue_size=10, latch=True)
-        self._points = rospy.Publisher("/camera/depth/points", PointCloud2, queue_size=1, tcp_nodelay=True)
-        self._depth = rospy.Publisher("/camera/depth/image_raw", Image, queue_size=1)
-        self._colour = rospy.Publisher("/camera/rgb/image_raw", Image, queue_size=1)
-        self._infos = [
-            rospy.Publisher(f"/camera/{eye}/camera_info", CameraInfo, queue_size=1) for eye in ("depth", "rgb")
-        ]
 
     def _subscribe(self) -> None:
         rospy.Subscriber("/mobile_base/commands/velocity", Twist, self._on_velocity, queue_size=10, tcp_nodelay=True)
@@ -125,19 +120,3 @@ class TurtlebotSim:
         self._odometry.publish(messages.to_odometry(pose, velocity, stamp))
         self._transforms.publish([messages.to_transform(pose, stamp)])
         self._joints.publish(messages.to_joint_state(self._robot.base.rolled, stamp))
-
-    def _publish_pictures(self, stamp: rospy.Time) -> None:
-        """A picture is taken only while somebody wants to see it."""
-        for info in self._infos:
-            if info.get_num_connections():
-                info.publish(messages.to_camera_info(self._robot.world.xtion, stamp))
-        cloud, depth, colour = (topic.get_num_connections() > 0 for topic in (self._points, self._depth, self._colour))
-        if not (cloud or depth or colour):
-            return
-        seen = self._robot.picture()
-        if cloud:
-            self._points.publish(self._cloud.of(seen.depth, seen.colour, stamp))
-        if depth:
-            self._depth.publish(messages.to_depth_image(seen.depth, self._options.depth_encoding, stamp))
-        if colour:
-            self._colour.publish(messages.to_image(seen.colour, "rgb8", stamp))
