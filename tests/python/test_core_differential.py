@@ -7,7 +7,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from sights import facts_of
 from safety_control_cloud import core
+
+pytestmark = pytest.mark.usefixtures("best_instruction_set_afterwards")
 
 FLOAT32, FLOAT64 = 7, 8
 LIMITS = core.Settings()
@@ -107,10 +110,6 @@ def numpy_sight(points: np.ndarray, parameters: core.Settings) -> Tuple[Optional
     return nearest, len(inside), too_close, int(returns.sum()), len(flat), inside
 
 
-def facts_of(sight: core.Sight) -> Tuple[object, ...]:
-    return (sight.nearest.point if sight.nearest else None, sight.inside, sight.too_close, sight.returns, sight.total)
-
-
 def looks() -> Iterator[Tuple[str, Callable[..., core.Sight]]]:
     """Every way to look, with its name; the last of the instruction sets is the best again."""
     yield "PCL", core.passthrough
@@ -145,12 +144,6 @@ def test_not_one_of_ten_thousand_random_clouds_is_seen_differently():
             height, width = 2, int(random.integers(1000, 2100))  # more than a run
         odd_share, min_points = random.choice([0.0, 0.02, 0.3, 1.0]), int(random.choice([1, 1, 2, 5, 50]))
         assert_all_see_the_same(Scene(seed, height, width, odd_share, min_points, LAYOUTS[seed % len(LAYOUTS)]))
-
-
-@pytest.fixture(autouse=True)
-def _best_instruction_set():
-    yield
-    core.use_instruction_set("")
 
 
 @given(scenes)

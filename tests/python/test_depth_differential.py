@@ -7,7 +7,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+import sights
 from safety_control_cloud import core
+
+pytestmark = pytest.mark.usefixtures("best_instruction_set_afterwards")
 
 LIMITS = core.Settings()
 
@@ -86,8 +89,8 @@ pictures = st.builds(
 
 
 def facts_of(sight: core.Sight) -> Tuple[object, ...]:
-    nearest = sight.nearest.point if sight.nearest else None
-    return (nearest, sight.inside, sight.too_close, sight.returns, sight.total, sight.crop.tobytes())
+    """With the crop."""
+    return (*sights.facts_of(sight), sight.crop.tobytes())
 
 
 def numpy_facts(points: np.ndarray) -> Tuple[object, ...]:
@@ -98,12 +101,6 @@ def numpy_facts(points: np.ndarray) -> Tuple[object, ...]:
     inside = flat[returns & (x >= low_x) & (x <= high_x) & (y >= low_y) & (y <= high_y)]
     nearest = tuple(inside[np.argmin(inside[:, 2])].tolist()) if len(inside) else None
     return (nearest, len(inside), 0, int(returns.sum()), len(flat), inside.tobytes())
-
-
-@pytest.fixture(autouse=True)
-def _best_instruction_set():
-    yield
-    core.use_instruction_set("")
 
 
 @given(pictures)
