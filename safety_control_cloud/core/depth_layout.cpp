@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "extent.hpp"
 #include "words.hpp"
 
 namespace safety_control_cloud {
@@ -16,16 +17,9 @@ std::optional<Depth> depth_in(const std::string& encoding) {
   return std::nullopt;
 }
 
-/// 64-bit products of 32-bit claims: none of them can wrap.
-std::optional<std::string> problem_with_extent(const DepthLayout& layout, std::size_t pixel, std::uint64_t size) {
-  const std::uint64_t row_bytes = std::uint64_t{layout.width} * pixel;
-  const std::uint64_t image_bytes = std::uint64_t{layout.height} * layout.step;
-  if (layout.step < row_bytes) {
-    return words("step ", layout.step, " is less than the ", row_bytes, " bytes of a row's ", layout.width, " pixels");
-  }
-  if (layout.step % pixel != 0) return words("step ", layout.step, " is not a multiple of a pixel's ", pixel, " bytes");
-  if (size != image_bytes) return words("data has ", size, " bytes, not height x step = ", image_bytes);
-  return std::nullopt;
+std::optional<std::string> problem_with_step(const DepthLayout& layout, std::size_t pixel) {
+  if (layout.step % pixel == 0) return std::nullopt;
+  return words("step ", layout.step, " is not a multiple of a pixel's ", pixel, " bytes");
 }
 
 /// [px] on one side of the image that a camera with these claims sends.
@@ -76,12 +70,14 @@ Reading view_of(const DepthLayout& layout, const std::uint8_t* bytes, std::size_
   const auto depth = depth_in(layout.encoding);
   if (!depth) return Unreadable{"encoding " + layout.encoding + " is not one of depths: 16UC1 or 32FC1"};
   view.depth = *depth;
-  if (const auto problem = problem_with_extent(layout, view.pixel_step(), size)) return Unreadable{*problem};
+  const Extent extent{layout.height, layout.width, {"bytes per pixel", view.pixel_step()}, {"step", layout.step}};
+  if (const auto problem = problem_with(extent, size)) return Unreadable{*problem};
+  if (const auto problem = problem_with_step(layout, view.pixel_step())) return Unreadable{*problem};
   if (const auto problem = problem_with_camera(layout)) return Unreadable{*problem};
 
   view.bytes = bytes;
   view.width = layout.width;
-  view.height = layout.width == 0 ? 0 : layout.height;  // four billion empty rows need no byte, and would take seconds
+  view.height = rows_in(extent);
   view.row_step = layout.step;
   view.swapped = is_foreign(layout.is_bigendian);
   view.camera = pinhole_of(layout.camera);

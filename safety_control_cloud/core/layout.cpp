@@ -5,6 +5,7 @@
 #include <optional>
 #include <variant>
 
+#include "extent.hpp"
 #include "words.hpp"
 
 namespace safety_control_cloud {
@@ -47,17 +48,8 @@ std::variant<std::array<Field, 3>, Unreadable> coordinates_in(const Layout& layo
   return found;
 }
 
-/// 64-bit sums of 32-bit claims: none of them can wrap.
-std::optional<std::string> problem_with_extent(const Layout& layout, std::uint64_t size) {
-  const std::uint64_t row_bytes = std::uint64_t{layout.width} * layout.point_step;
-  const std::uint64_t cloud_bytes = std::uint64_t{layout.height} * layout.row_step;
-  if (layout.row_step < row_bytes) {
-    return words("row_step ", layout.row_step, " is less than width x point_step = ", row_bytes);
-  }
-  if (size != cloud_bytes) {
-    return words("data has ", size, " bytes, not height x row_step = ", cloud_bytes);
-  }
-  return std::nullopt;
+Extent extent_of(const Layout& layout) {
+  return {layout.height, layout.width, {"point_step", layout.point_step}, {"row_step", layout.row_step}};
 }
 
 }  // namespace
@@ -65,13 +57,14 @@ std::optional<std::string> problem_with_extent(const Layout& layout, std::uint64
 Reading view_of(const Layout& layout, const std::uint8_t* bytes, std::size_t size) {
   const auto coordinates = coordinates_in(layout);
   if (const auto* unreadable = std::get_if<Unreadable>(&coordinates)) return *unreadable;
-  if (const auto problem = problem_with_extent(layout, size)) return Unreadable{*problem};
+  const Extent extent = extent_of(layout);
+  if (const auto problem = problem_with(extent, size)) return Unreadable{*problem};
 
   const auto& [x, y, z] = std::get<std::array<Field, 3>>(coordinates);
   CloudView view;
   view.bytes = bytes;
   view.width = layout.width;
-  view.height = layout.width == 0 ? 0 : layout.height;  // four billion empty rows need no byte, and would take seconds
+  view.height = rows_in(extent);
   view.point_step = layout.point_step;
   view.row_step = layout.row_step;
   view.offset = {x.offset, y.offset, z.offset};
