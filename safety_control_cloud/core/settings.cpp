@@ -2,6 +2,7 @@
 #include "settings.hpp"
 
 #include <cmath>
+#include <initializer_list>
 #include <sstream>
 #include <tuple>
 #include <type_traits>
@@ -88,25 +89,25 @@ void check_sensor(const Settings& settings, Problems& problems) {
                    "publish_rate must lie between 1 and 1000");
 }
 
+template <class Choice>
+std::optional<Choice> choice_named(const std::string& name, std::initializer_list<Choice> choices) {
+  for (const Choice choice : choices) {
+    if (name == name_of(choice)) return choice;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 const char* name_of(Method method) { return method == Method::Pcl ? "pcl" : "one_pass"; }
 
 std::optional<Method> method_named(const std::string& name) {
-  for (const Method method : {Method::OnePass, Method::Pcl}) {
-    if (name == name_of(method)) return method;
-  }
-  return std::nullopt;
+  return choice_named(name, {Method::OnePass, Method::Pcl});
 }
 
 const char* name_of(Input input) { return input == Input::Depth ? "depth" : "cloud"; }
 
-std::optional<Input> input_named(const std::string& name) {
-  for (const Input input : {Input::Cloud, Input::Depth}) {
-    if (name == name_of(input)) return input;
-  }
-  return std::nullopt;
-}
+std::optional<Input> input_named(const std::string& name) { return choice_named(name, {Input::Cloud, Input::Depth}); }
 
 Corridor corridor_of(const Settings& settings) {
   Corridor corridor = settings.corridor;

@@ -5,6 +5,7 @@
 #include <pybind11/stl.h>
 
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "../core/passthrough.hpp"
@@ -129,11 +130,20 @@ py::object array_over(const core::Cloud::Ptr& crop) {
                             owner);
 }
 
-py::object object_of(core::Method method) { return py::str(core::name_of(method)); }
-py::object object_of(core::Input input) { return py::str(core::name_of(input)); }
 template <class Value>
 py::object object_of(const Value& value) {
-  return py::cast(value);
+  if constexpr (std::is_enum_v<Value>) {
+    return py::str(core::name_of(value));
+  } else {
+    return py::cast(value);
+  }
+}
+
+template <class Choice, class Named>
+void take_choice(const py::handle& given, Choice& value, Named named, const char* otherwise) {
+  const std::optional<Choice> choice = named(given.cast<std::string>());
+  if (!choice) throw py::value_error(otherwise);
+  value = *choice;
 }
 
 template <class Value>
@@ -141,14 +151,10 @@ void take(const py::handle& given, Value& value) {
   value = given.cast<Value>();
 }
 void take(const py::handle& given, core::Input& value) {
-  const auto input = core::input_named(given.cast<std::string>());
-  if (!input) throw py::value_error("input must be 'cloud' or 'depth'");
-  value = *input;
+  take_choice(given, value, core::input_named, "input must be 'cloud' or 'depth'");
 }
 void take(const py::handle& given, core::Method& value) {
-  const auto method = core::method_named(given.cast<std::string>());
-  if (!method) throw py::value_error("method must be 'one_pass' or 'pcl'");
-  value = *method;
+  take_choice(given, value, core::method_named, "method must be 'one_pass' or 'pcl'");
 }
 
 py::error_already_set no_parameter(const std::string& name) {
