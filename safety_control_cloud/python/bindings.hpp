@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "../core/safety_control.hpp"
+
+namespace py = pybind11;
+namespace core = safety_control_cloud;
+
+namespace bindings {
+
+/// A reading together with the Python object whose bytes it borrows.
+struct BorrowedCloud {
+  py::object owner;
+  core::Reading reading;
+
+  core::View view() const;  ///< throws ValueError if the reading is unreadable
+};
+
+inline core::Crop crop_if(bool wanted) { return wanted ? core::Crop::Keep : core::Crop::Skip; }
+
+/// A Cloud as it is, or the points of an array.
+BorrowedCloud cloud_in(const py::object& given);
+
+void bind_settings(py::module& module);  ///< first: all that takes Settings has them as a default
+void bind_clouds(py::module& module);
+void bind_results(py::module& module);
+
+}  // namespace bindings

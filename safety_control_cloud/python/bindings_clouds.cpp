@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "../core/layout.hpp"
+#include "../core/passthrough.hpp"
+#include "../core/scan.hpp"
+#include "bindings.hpp"
+
+namespace bindings {
+namespace {
+
+std::size_t forward_stride(const py::array& points, py::ssize_t axis) {
+  const py::ssize_t stride = points.strides(axis);
+  if (stride < 0)
+    throw py::value_error("points must not be reversed along an axis: pass numpy.ascontiguousarray(points)");
+  return static_cast<std::size_t>(stride);
+}
+
+BorrowedCloud cloud_of_points(const py::array& points) {
+  if (!py::isinstance<py::array_t<float>>(points))
+    throw py::type_error("points must be float32 in this machine's byte order");
+  const auto axes = points.ndim();
+  if ((axes != 2 && axes != 3) || points.shape(axes - 1) != 3)
+    throw py::value_error("points must have shape (N, 3) or (H, W, 3)");
+
+  core::CloudView view;
+  view.bytes = static_cast<const std::uint8_t*>(points.data());
+  view.width = static_cast<std::size_t>(points.shape(axes - 2));
+  view.height = axes == 3 ? static_cast<std::size_t>(points.shape(0)) : 1;
+  view.point_step = forward_stride(points, axes - 2);
+  view.row_step = axes == 3 ? forward_stride(points, 0) : view.width * view.point_step;
+  const std::size_t between = forward_stride(points, axes - 1);
+  view.offset = {0, between, 2 * between};
+  return {points, view};
+}
+
+using FieldTuple = std::tuple<std::string, std::uint32_t, std::uint8_t, std::uint32_t>;
+
+BorrowedCloud cloud_of_bytes(const py::buffer& data, std::uint32_t height, std::uint32_t width,
+                             const std::vector<FieldTuple>& fields, bool is_bigendian, std::uint32_t point_step,
+                             std::uint32_t row_step) {
+  core::Layout layout{height, width, {}, is_bigendian, point_step, row_step};
+  for (const auto& [name, offset, datatype, count] : fields) layout.fields.push_back({name, offset, datatype, count});
+  const py::buffer_info bytes = data.request();
+  if (bytes.ndim != 1 || bytes.itemsize != 1 || bytes.strides[0] != 1)
+    throw py::type_error("data must be contiguous bytes");
+  return {data,
+          core::view_of(layout, static_cast<const std::uint8_t*>(bytes.ptr), static_cast<std::size_t>(bytes.size))};
+}
+
+core::Depth unit_of(const py::array& image) {
+  const py::dtype dtype = image.dtype();
+  if (dtype.kind() == 'f' && dtype.itemsize() == 4) return core::Depth::Metres;
+  if (dtype.kind() == 'u' && dtype.itemsize() == 2) return core::Depth::Millimetres;
+  throw py::type_error("image must be float32 [m] or uint16 [mm]");
+}
+
+BorrowedCloud cloud_of_depth(const py::array& image, double fx, double fy, double cx, double cy) {
+  if (image.ndim() != 2) throw py::value_error("image must have shape (H, W)");
+  core::DepthView view;
+  view.bytes = static_cast<const std::uint8_t*>(image.data());
+  view.height = static_cast<std::size_t>(image.shape(0));
+  view.width = static_cast<std::size_t>(image.shape(1));
+  view.row_step = forward_stride(image, 0);
+  view.depth = unit_of(image);
+  view.swapped = !image.dtype().attr("isnative").cast<bool>();
+  view.camera = {fx, fy, cx, cy};
+  if (forward_stride(image, 1) != view.pixel_step() && view.size() > 0)
+    throw py::value_error("a row's pixels must follow each other: pass numpy.ascontiguousarray(image)");
+  return {image, view};
+}
+
+template <core::Sight (*Look)(const core::View&, const core::Corridor&, const core::Gaze&)>
+core::Sight look(const py::object& given, const core::Settings& settings, bool crop) {
+  const BorrowedCloud cloud = cloud_in(given);
+  const core::View view = cloud.view();
+  const py::gil_scoped_release unlocked;
+  core::Gaze gaze;
+  gaze.crop = crop_if(crop);
+  return Look(view, settings.corridor, gaze);
+}
+
+}  // namespace
+
+core::View BorrowedCloud::view() const {
+  if (const auto* unreadable = std::get_if<core::Unreadable>(&reading)) throw py::value_error(unreadable->reason);
+  return core::view_in(reading);
+}
+
+BorrowedCloud cloud_in(const py::object& given) {
+  return py::isinstance<BorrowedCloud>(given) ? given.cast<BorrowedCloud>() : cloud_of_points(given.cast<py::array>());
+}
+
+void bind_clouds(py::module& module) {
+  py::class_<BorrowedCloud>(module, "Cloud")
+      .def(py::init(&cloud_of_points), py::arg("points"))
+      .def_static("of_bytes", &cloud_of_bytes, py::arg("data"), py::arg("height"), py::arg("width"), py::arg("fields"),
+                  py::arg("is_bigendian"), py::arg("point_step"), py::arg("row_step"))
+      .def_static("of_depth", &cloud_of_depth, py::arg("image"), py::arg("fx"), py::arg("fy"), py::arg("cx"),
+                  py::arg("cy"))
+      .def_property_readonly("unreadable", [](const BorrowedCloud& cloud) -> py::object {
+        const auto* unreadable = std::get_if<core::Unreadable>(&cloud.reading);
+        return unreadable ? py::object(py::str(unreadable->reason)) : py::none();
+      });
+  module.def("look", &look<core::look>, py::arg("cloud"), py::arg("settings") = core::Settings{},
+             py::arg("crop") = false);
+  module.def("passthrough", &look<core::passthrough>, py::arg("cloud"), py::arg("settings") = core::Settings{},
+             py::arg("crop") = false);
+  module.def("instruction_sets", &core::instruction_sets);
+  module.def("use_instruction_set", &core::use_instruction_set, py::arg("name") = "");
+}
+
+}  // namespace bindings

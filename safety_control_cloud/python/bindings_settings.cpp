@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <optional>
+#include <string>
+#include <type_traits>
+
+#include "bindings.hpp"
+
+namespace bindings {
+namespace {
+
+template <class Value>
+py::object object_of(const Value& value) {
+  if constexpr (std::is_enum_v<Value>) {
+    return py::str(core::name_of(value));
+  } else {
+    return py::cast(value);
+  }
+}
+
+template <class Choice, class Named>
+void take_choice(const py::handle& given, Choice& value, Named named, const char* otherwise) {
+  const std::optional<Choice> choice = named(given.cast<std::string>());
+  if (!choice) throw py::value_error(otherwise);
+  value = *choice;
+}
+
+template <class Value>
+void take(const py::handle& given, Value& value) {
+  value = given.cast<Value>();
+}
+void take(const py::handle& given, core::Input& value) {
+  take_choice(given, value, core::input_named, "input must be 'cloud' or 'depth'");
+}
+void take(const py::handle& given, core::Method& value) {
+  take_choice(given, value, core::method_named, "method must be 'one_pass' or 'pcl'");
+}
+
+py::error_already_set no_parameter(const std::string& name) {
+  PyErr_SetString(PyExc_AttributeError, ("there is no parameter " + name).c_str());
+  return py::error_already_set();
+}
+
+py::dict parameters_of(const core::Settings& settings) {
+  py::dict parameters;
+  core::for_each_parameter(settings, [&](const char* name, const auto& value) { parameters[name] = object_of(value); });
+  return parameters;
+}
+
+void set_parameter(core::Settings& settings, const std::string& name, const py::handle& given) {
+  bool known = false;
+  core::for_each_parameter(settings, [&](const char* candidate, auto& value) {
+    if (name != candidate) return;
+    known = true;
+    take(given, value);
+  });
+  if (!known) throw no_parameter(name);
+}
+
+}  // namespace
+
+void bind_settings(py::module& module) {
+  py::class_<core::Settings>(module, "Settings")
+      .def(py::init([](const py::kwargs& parameters) {
+        core::Settings settings;
+        for (const auto& [name, value] : parameters) set_parameter(settings, name.cast<std::string>(), value);
+        return settings;
+      }))
+      .def("__getattr__",
+           [](const core::Settings& settings, const std::string& name) {
+             const py::dict parameters = parameters_of(settings);
+             if (!parameters.contains(name)) throw no_parameter(name);
+             return py::object(parameters[name.c_str()]);
+           })
+      .def("__setattr__", &set_parameter)
+      .def("__repr__",
+           [](const core::Settings& settings) { return py::str("Settings({})").format(parameters_of(settings)); })
+      .def("as_dict", &parameters_of)
+      .def("problems", &core::problems_in);
+}
+
+}  // namespace bindings
