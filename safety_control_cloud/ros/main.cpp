@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <malloc.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <ros/xmlrpc_manager.h>
@@ -7,9 +6,9 @@
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
-#include <limits>
 
 #include "parameters.hpp"
+#include "receive_memory.hpp"
 #include "safety_node.hpp"
 
 namespace {
@@ -39,18 +38,10 @@ void run() {
   while (!asked_to_end && ros::ok()) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
 }
 
-/// roscpp takes new memory for each message that it receives. malloc would get a buffer of megabytes from the system
-/// each time, which then clears it page by page; kept, it is the same memory again.
-void keep_memory_for_reuse() {
-  mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-  mallopt(M_ARENA_MAX, 1);  // a thread's own would end at 64 MB
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  keep_memory_for_reuse();
+  safety_control_cloud::keep_memory_for_reuse();
   ros::init(argc, argv, "safety_control_cloud", ros::init_options::NoSigintHandler);
   ros::start();
   answer_requests_to_end();

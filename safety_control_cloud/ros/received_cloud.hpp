@@ -26,20 +26,9 @@ namespace ros {
 namespace message_traits {
 
 template <>
-struct MD5Sum<safety_control_cloud::ReceivedCloud> : MD5Sum<sensor_msgs::PointCloud2> {
-  static const char* value(const safety_control_cloud::ReceivedCloud&) {
-    return MD5Sum<sensor_msgs::PointCloud2>::value();
-  }
-  using MD5Sum<sensor_msgs::PointCloud2>::value;
-};
-
+struct MD5Sum<safety_control_cloud::ReceivedCloud> : MD5Sum<sensor_msgs::PointCloud2> {};
 template <>
-struct DataType<safety_control_cloud::ReceivedCloud> : DataType<sensor_msgs::PointCloud2> {
-  static const char* value(const safety_control_cloud::ReceivedCloud&) {
-    return DataType<sensor_msgs::PointCloud2>::value();
-  }
-  using DataType<sensor_msgs::PointCloud2>::value;
-};
+struct DataType<safety_control_cloud::ReceivedCloud> : DataType<sensor_msgs::PointCloud2> {};
 
 }  // namespace message_traits
 

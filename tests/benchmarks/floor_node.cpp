@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The least that a node in a process of its own can do: receives the cloud, looks at nothing, answers with a Twist.
 #include <geometry_msgs/Twist.h>
-#include <malloc.h>
 #include <ros/ros.h>
 #include <sensor_msgs/PointCloud2.h>
 
-#include <limits>
+#include "../../safety_control_cloud/ros/receive_memory.hpp"
 
 namespace {
 
 /// A PointCloud2 to its publisher; here its bytes stay in the buffer that they arrived in.
 struct UnreadCloud {};
-
-/// Lets a receive buffer lie where the last one lay: no page is given back to the kernel and asked for again.
-void keep_memory() {
-  mallopt(M_ARENA_MAX, 1);
-  mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-}
 
 }  // namespace
 
@@ -44,7 +36,7 @@ struct Serializer<UnreadCloud> {
 }  // namespace ros
 
 int main(int argc, char** argv) {
-  keep_memory();
+  safety_control_cloud::keep_memory_for_reuse();
   ros::init(argc, argv, "floor_node");
   ros::NodeHandle handle;
   const auto command = handle.advertise<geometry_msgs::Twist>("cmd_vel_mux/input/teleop", 1);
