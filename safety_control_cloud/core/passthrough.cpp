@@ -59,8 +59,8 @@ void remember(const Cloud& cloud, const Cloud& placed, const Corridor& corridor,
   for (std::size_t i = 0; i < placed.size(); ++i) {
     std::uint16_t& pixel = memory.pixels[i];
     const Point& point = cloud.points[i];
-    const bool returned =
-        is_return(point.x, point.y, point.z, corridor);  // whether or not its place is too far for a float
+    // Whether or not its place is too far for a float.
+    const bool returned = is_return(point.x, point.y, point.z, corridor);
     if (returned) pixel = remembered(placed.points[i], corridor, memory.distance);
     const std::uint16_t code = PixelMemory::code_of(pixel);
     pixel = static_cast<std::uint16_t>(returned ? code | PixelMemory::now : code);
