@@ -171,40 +171,6 @@ TEST(SafetyControl, RobotStandsWithoutATransform) {
   EXPECT_EQ(decision.reason, "no base_link");
 }
 
-TEST(SafetyControl, RobotStandsWhileTwoSourcesTakeTurns) {
-  SafetyControl control{Settings{}};
-  const std::vector<Xyz> far = {{0.0f, 0.0f, 3.0f}};
-  const auto sent_by = [&](const char* source, double now) {
-    return control.decide(view_of(far), Origin{now, OpticalFrame{}, source}, Instant{now, now}).cause;
-  };
-  EXPECT_EQ(sent_by("camera", 1.00), Cause::Seen);
-  EXPECT_EQ(sent_by("bag", 1.02), Cause::TwoSources);
-  EXPECT_EQ(sent_by("camera", 1.05), Cause::TwoSources);
-  EXPECT_EQ(sent_by("camera", 1.10), Cause::TwoSources) << "the other's next cloud may be under way";
-  EXPECT_EQ(sent_by("camera", 1.60), Cause::Seen);
-  EXPECT_EQ(sent_by("camera started anew", 2.20), Cause::TwoSources) << "the old one's last took as long";
-  EXPECT_EQ(sent_by("camera started anew", 2.70), Cause::Seen) << "the old one counts as silent";
-}
-
-TEST(SafetyControl, SourceThatSendsOnceASecondBesideTheCameraDoesNotLetTheRobotGoAndStop) {
-  SafetyControl control{Settings{}};
-  const std::vector<Xyz> far = {{0.0f, 0.0f, 3.0f}};
-  const auto cause_at = [&](const char* source, double now) {
-    return control.decide(view_of(far), Origin{now, OpticalFrame{}, source}, Instant{now, now}).cause;
-  };
-  constexpr double start = 100.0, period = 0.05;
-  for (int cloud = 0; cloud < 100; ++cloud) {
-    const double now = start + cloud * period;
-    const Cause cause = cause_at("camera", now);
-    if (now > start + 1.1) {
-      EXPECT_EQ(cause, Cause::TwoSources) << now - start;
-    }
-    if (cloud % 20 == 0) cause_at("seldom", now + period / 2);
-  }
-  const double end = start + 100 * period;  // the last of the seldom ones came almost a second before
-  EXPECT_EQ(cause_at("camera", end + 1.2), Cause::Seen) << "after two clouds that it missed";
-}
-
 TEST(SafetyControl, FrozenCameraStopsTheRobotUntilTheContentChanges) {
   Settings settings;
   settings.frozen_clouds = 3;
