@@ -16,31 +16,10 @@ namespace {
 
 constexpr std::uint64_t images = 10000;
 
-class DepthImage : public testing::TestWithParam<std::string> {
- protected:
-  void SetUp() override { use_instruction_set(GetParam()); }
-  void TearDown() override { use_instruction_set(""); }
-};
+class DepthImage : public InstructionSet {};
 
 INSTANTIATE_TEST_SUITE_P(With, DepthImage, testing::ValuesIn(instruction_sets()),
                          [](const auto& info) { return info.param; });
-
-/// What one method sees, and what the pixels remember afterwards.
-struct Seen {
-  Sight sight;
-  std::vector<std::uint16_t> pixels;
-  NearPixels near;
-};
-
-Seen seen_by(Sight (*method)(const View&, const Corridor&, const Gaze&), const View& view, const RandomDepth& image) {
-  PixelMemory memory = image.memory;
-  Gaze gaze;
-  gaze.crop = Crop::Keep;
-  if (image.placement) gaze.placement = &*image.placement;
-  if (memory.distance > 0.0f) gaze.memory = &memory;
-  const Sight sight = method(view, image.corridor, gaze);
-  return {sight, memory.pixels, memory.near};
-}
 
 TEST_P(DepthImage, ShowsWhatPclSeesInItsCloud) {
   for (std::uint64_t seed = 0; seed < images; ++seed) {

@@ -5,12 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <optional>
-#include <random>
 #include <vector>
 
-#include "../../safety_control_cloud/core/corridor.hpp"
 #include "cloud_builder.hpp"
+#include "random_case.hpp"
 
 namespace safety_control_cloud {
 
@@ -45,18 +43,16 @@ inline const std::vector<LayoutInMemory>& layouts_in_memory() {
 }
 
 /// A cloud whose memory ends with its last coordinate, so that AddressSanitizer sees whoever reads on.
-struct RandomCloud {
+struct RandomCloud : RandomCase {
   std::vector<std::uint8_t> bytes;
   CloudView view;
-  Corridor corridor;
-  std::optional<Placement> placement;
-  PixelMemory memory;  ///< as earlier clouds may have left it; not kept up if its distance is 0
 
-  explicit RandomCloud(std::uint64_t seed) : random_(seed) {
+  explicit RandomCloud(std::uint64_t seed) : RandomCase(seed) {
     choose_corridor();
     choose_layout();
     choose_placement();
-    choose_memory();
+    if (placement && random_() % 8 == 0) std::swap(placement->rows[0], placement->rows[2]);
+    choose_memory({0.0f, 0.0f, 0.75f, 1.5f, 2.7f}, view);
     odd_share_ = pick({0.0, 0.02, 0.3, 1.0});
     depth_steps_ = pick({3.0, 100.0, 1e6});
     for (std::size_t row = 0; row < view.height; ++row) {
@@ -69,11 +65,6 @@ struct RandomCloud {
   }
 
  private:
-  template <class Value>
-  Value pick(std::initializer_list<Value> choices) {
-    return choices.begin()[random_() % choices.size()];
-  }
-  double share() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
   float across() { return static_cast<float>(1.2 * share() - 0.6); }
   float depth() { return static_cast<float>(0.2 + std::floor(share() * depth_steps_) * 2.8 / depth_steps_); }
 
@@ -98,26 +89,6 @@ struct RandomCloud {
     if (view.size() > 0) bytes.resize((view.height - 1) * view.row_step + (view.width - 1) * view.point_step + end);
     std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<std::uint8_t>(random_()); });
     view.bytes = bytes.data();
-  }
-
-  void choose_placement() {
-    if (random_() % 4 > 0) return;
-    placement.emplace();
-    for (auto& row : placement->rows) {
-      for (float& value : row) value += static_cast<float>(0.4 * share() - 0.2);
-    }
-    if (random_() % 8 == 0) std::swap(placement->rows[0], placement->rows[2]);
-  }
-
-  void choose_memory() {
-    memory.distance = pick({0.0f, 0.0f, 0.75f, 1.5f, 2.7f});
-    memory.width = view.width;
-    memory.height = view.height;
-    for (std::size_t i = 0; i < view.size(); ++i) {
-      const int near = static_cast<int>(random_() % PixelMemory::elsewhere);
-      const int code = pick({near, int{PixelMemory::elsewhere}, int{PixelMemory::nothing}});
-      memory.pixels.push_back(static_cast<std::uint16_t>(code | pick({0, int{PixelMemory::now}})));
-    }
   }
 
   float odd_or(float value) {
@@ -157,7 +128,6 @@ struct RandomCloud {
     std::memcpy(to, raw.data(), size);
   }
 
-  std::mt19937_64 random_;
   double odd_share_ = 0.0, depth_steps_ = 1.0;
 };
 

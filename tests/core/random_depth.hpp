@@ -4,30 +4,25 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <optional>
-#include <random>
 #include <vector>
 
-#include "../../safety_control_cloud/core/corridor.hpp"
 #include "cloud_builder.hpp"
+#include "random_case.hpp"
 
 namespace safety_control_cloud {
 
 /// A depth image whose memory ends with its last pixel, so that AddressSanitizer sees whoever reads on, and the points
 /// that depth_image_proc 1.17 makes of it, calculated here a pixel at a time.
-struct RandomDepth {
+struct RandomDepth : RandomCase {
   std::vector<std::uint8_t> bytes;
   DepthView view;
   std::vector<Xyz> points;
-  Corridor corridor;
-  std::optional<Placement> placement;
-  PixelMemory memory;  ///< as earlier images may have left it; not kept up if its distance is 0
 
-  explicit RandomDepth(std::uint64_t seed) : random_(seed) {
+  explicit RandomDepth(std::uint64_t seed) : RandomCase(seed) {
     choose_corridor();
     choose_layout();
     choose_placement();
-    choose_memory();
+    choose_memory({0.0f, 0.75f, 1.5f, 2.7f}, view);
     odd_share_ = pick({0.0, 0.05, 0.3, 1.0});
     for (std::size_t v = 0; v < view.height; ++v) {
       for (std::size_t u = 0; u < view.width; ++u) {
@@ -48,12 +43,6 @@ struct RandomDepth {
   }
 
  private:
-  template <class Value>
-  Value pick(std::initializer_list<Value> choices) {
-    return choices.begin()[random_() % choices.size()];
-  }
-  double share() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
-
   void choose_corridor() {
     corridor.x_min = pick({-0.3f, -0.3f, 0.1f, -0.6f});
     corridor.y_min = pick({-0.25f, -0.25f, 0.05f});
@@ -78,25 +67,6 @@ struct RandomDepth {
     view.camera = {pick({554.25469, 50.0, 1e-30, 7e5}), pick({554.25469, 60.0, 5.0}), centre(view.width),
                    centre(view.height)};
     if (random_() % 4 == 0) view.camera.cx = std::floor(view.camera.cx), view.camera.cy = std::floor(view.camera.cy);
-  }
-
-  void choose_placement() {
-    if (random_() % 4 > 0) return;
-    placement.emplace();
-    for (auto& row : placement->rows) {
-      for (float& value : row) value += static_cast<float>(0.4 * share() - 0.2);
-    }
-  }
-
-  void choose_memory() {
-    memory.distance = pick({0.0f, 0.75f, 1.5f, 2.7f});
-    memory.width = view.width;
-    memory.height = view.height;
-    for (std::size_t i = 0; i < view.size(); ++i) {
-      const int near = static_cast<int>(random_() % PixelMemory::elsewhere);
-      const int code = pick({near, int{PixelMemory::elsewhere}, int{PixelMemory::nothing}});
-      memory.pixels.push_back(static_cast<std::uint16_t>(code | pick({0, int{PixelMemory::now}})));
-    }
   }
 
   /// Where the pixel's ray meets a limit of the corridor, or one of the numbers next to it [m].
@@ -142,7 +112,6 @@ struct RandomDepth {
     return {right * d * x_scale, down * d * y_scale, is_metres ? d : d * 0.001f};
   }
 
-  std::mt19937_64 random_;
   double odd_share_ = 0.0;
 };
 

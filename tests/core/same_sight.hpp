@@ -1,13 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cstring>
 #include <string>
+#include <vector>
 
-#include "../../safety_control_cloud/core/corridor.hpp"
+#include "../../safety_control_cloud/core/scan.hpp"
+#include "random_case.hpp"
 
 namespace safety_control_cloud {
+
+/// Looks with each instruction set of this machine in turn, and with the best again afterwards.
+class InstructionSet : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override { use_instruction_set(GetParam()); }
+  void TearDown() override { use_instruction_set(""); }
+};
+
+using WayToLook = Sight (*)(const View&, const Corridor&, const Gaze&);
+
+/// What one method sees, and what the pixels remember afterwards.
+struct Seen {
+  Sight sight;
+  std::vector<std::uint16_t> pixels;
+  NearPixels near;
+};
+
+inline Seen seen_by(WayToLook method, const View& view, const RandomCase& shown, Crop crop = Crop::Keep) {
+  PixelMemory memory = shown.memory;
+  Gaze gaze;
+  gaze.crop = crop;
+  if (shown.placement) gaze.placement = &*shown.placement;
+  if (memory.distance > 0.0f) gaze.memory = &memory;
+  const Sight sight = method(view, shown.corridor, gaze);
+  return {sight, memory.pixels, memory.near};
+}
 
 inline bool same_bits(const Point& a, const Point& b) { return std::memcmp(a.data, b.data, 3 * sizeof(float)) == 0; }
 

@@ -16,38 +16,13 @@ namespace {
 
 constexpr std::uint64_t clouds = 10000;
 
-using Method = Sight (*)(const View&, const Corridor&, const Gaze&);
-
-class InstructionSet : public testing::TestWithParam<std::string> {
- protected:
-  void SetUp() override { use_instruction_set(GetParam()); }
-  void TearDown() override { use_instruction_set(""); }
-};
-
 INSTANTIATE_TEST_SUITE_P(With, InstructionSet, testing::ValuesIn(instruction_sets()),
                          [](const auto& info) { return info.param; });
-
-/// What one method sees of a cloud, and what the pixels remember afterwards.
-struct Seen {
-  Sight sight;
-  std::vector<std::uint16_t> pixels;
-  NearPixels near;
-};
-
-Seen seen_by(Method method, const RandomCloud& cloud, Crop crop) {
-  PixelMemory memory = cloud.memory;
-  Gaze gaze;
-  gaze.crop = crop;
-  if (cloud.placement) gaze.placement = &*cloud.placement;
-  if (memory.distance > 0.0f) gaze.memory = &memory;
-  const Sight sight = method(cloud.view, cloud.corridor, gaze);
-  return {sight, memory.pixels, memory.near};
-}
 
 TEST_P(InstructionSet, SeesInEveryCloudWhatPclSees) {
   for (std::uint64_t seed = 0; seed < clouds; ++seed) {
     const RandomCloud cloud(seed);
-    const Seen seen = seen_by(look, cloud, Crop::Keep), expected = seen_by(passthrough, cloud, Crop::Keep);
+    const Seen seen = seen_by(look, cloud.view, cloud), expected = seen_by(passthrough, cloud.view, cloud);
     ASSERT_TRUE(same(seen.sight, expected.sight))
         << "seed " << seed << ": " << words(seen.sight) << "; PCL: " << words(expected.sight);
     ASSERT_EQ(seen.pixels, expected.pixels) << "seed " << seed;
@@ -58,7 +33,7 @@ TEST_P(InstructionSet, SeesInEveryCloudWhatPclSees) {
 TEST_P(InstructionSet, AskingForTheCropDoesNotChangeWhatIsSeen) {
   for (std::uint64_t seed = 0; seed < clouds / 10; ++seed) {
     const RandomCloud cloud(seed);
-    Seen with = seen_by(look, cloud, Crop::Keep), without = seen_by(look, cloud, Crop::Skip);
+    Seen with = seen_by(look, cloud.view, cloud, Crop::Keep), without = seen_by(look, cloud.view, cloud, Crop::Skip);
     with.sight.crop.reset();
     ASSERT_TRUE(same(with.sight, without.sight)) << "seed " << seed;
     ASSERT_EQ(with.pixels, without.pixels) << "seed " << seed;
@@ -75,7 +50,7 @@ TEST_P(InstructionSet, OfAManyEquallyNearPointsTheFirstIsTheNearest) {
   }
 }
 
-constexpr std::array<Method, 2> both_methods = {&look, &passthrough};
+constexpr std::array<WayToLook, 2> both_methods = {&look, &passthrough};
 
 /// A camera turned aside by 45 degrees: what is 3e38 m ahead of it and as far beside lies straight ahead of the robot,
 /// and farther than a float can tell.
@@ -92,7 +67,7 @@ TEST_P(InstructionSet, ReturnsThatOverflowWhenPlacedAreNotInside) {
   Gaze gaze;
   gaze.crop = Crop::Keep;
   gaze.placement = &placement;
-  for (const Method method : both_methods) {
+  for (const WayToLook method : both_methods) {
     const Sight sight = method(view_of(overflowing), {}, gaze);
     EXPECT_EQ(sight.returns, overflowing.size());
     EXPECT_EQ(sight.inside, std::size_t{0});
@@ -103,7 +78,7 @@ TEST_P(InstructionSet, ReturnsThatOverflowWhenPlacedAreNotInside) {
 
 TEST_P(InstructionSet, PixelsWhoseReturnsOverflowWhenPlacedAreNotLost) {
   const Placement placement = looking_aside();
-  for (const Method method : both_methods) {
+  for (const WayToLook method : both_methods) {
     PixelMemory memory;
     memory.distance = 0.75f, memory.width = overflowing.size(), memory.height = 1;
     memory.pixels.assign(memory.width, PixelMemory::nothing);
