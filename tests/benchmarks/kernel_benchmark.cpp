@@ -4,8 +4,7 @@
 
 #include <memory>
 
-#include "../../safety_control_cloud/core/corridor.hpp"
-#include "../../safety_control_cloud/core/near_loss.hpp"
+#include "look_and_judge.hpp"
 #include "read_bytes.hpp"
 #include "scene_message.hpp"
 #include "tutorial.hpp"
@@ -56,19 +55,12 @@ void one_pass(benchmark::State& state, const Picture& picture, bool fresh) {
   for (auto _ : state) benchmark::DoNotOptimize(look(view_of(picture, clouds.next()), Corridor{}));
 }
 
-/// All that the node does for a cloud while it remembers what came near, and with the corridor in another frame if
-/// placed. Before, every pixel returned once: those that do not now may have lost something near.
-void remember(benchmark::State& state, const Picture& picture, bool placed) {
+/// Before, every pixel returned once: those that do not now may have lost something near.
+void remember(benchmark::State& state, const Picture& picture, const Placement* placement) {
   Clouds& clouds = clouds_of(picture, true);
   NearLoss near_loss{NearLossLimits{}};
-  const Placement placement;
   const auto judge = [&](const std::uint8_t* bytes) {
-    const View view = view_of(picture, bytes);
-    Gaze gaze;
-    gaze.memory = near_loss.memory_for(view);
-    if (placed) gaze.placement = &placement;
-    const Sight sight = look(view, Corridor{}, gaze);
-    return near_loss.judge(view, sight, Corridor{}, gaze, 0.0);
+    return look_and_judge(view_of(picture, bytes), near_loss, placement);
   };
   Picture before = picture;
   before.nan_share = 0.0;
@@ -92,37 +84,34 @@ void by_pcl(benchmark::State& state, const Picture& picture) {
   for (auto _ : state) benchmark::DoNotOptimize(Look(message));
 }
 
-void add(const Picture& picture) {
+template <class Run>
+void add(const std::string& name, Run run) {
+  benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMillisecond);
+}
+
+void add_fresh(const Picture& picture, const std::string& what) {
+  static const Placement in_another_frame;
+  add("read_fresh" + what, [=](benchmark::State& state) { read(state, picture, true); });
+  add("one_pass_fresh" + what, [=](benchmark::State& state) { one_pass(state, picture, true); });
+  add("near_loss" + what, [=](benchmark::State& state) { remember(state, picture, nullptr); });
+  add("near_loss_placed" + what, [=](benchmark::State& state) { remember(state, picture, &in_another_frame); });
+}
+
+void add_cloud(const Picture& picture) {
   const std::string what = "/" + std::to_string(picture.width) + "x" + std::to_string(picture.height) + "/step_" +
                            std::to_string(picture.point_step) + "/" + picture.scene + "/nan_" +
                            std::to_string(std::lround(100.0 * picture.nan_share));
-  const auto add_as = [&](const std::string& name, auto run) {
-    benchmark::RegisterBenchmark((name + what).c_str(), run)->Unit(benchmark::kMillisecond);
-  };
-  for (const bool fresh : {true, false}) {
-    const std::string suffix = fresh ? "_fresh" : "_cached";
-    add_as("read" + suffix, [=](benchmark::State& state) { read(state, picture, fresh); });
-    add_as("one_pass" + suffix, [=](benchmark::State& state) { one_pass(state, picture, fresh); });
-    if (!fresh) continue;
-    add_as("near_loss", [=](benchmark::State& state) { remember(state, picture, false); });
-    add_as("near_loss_placed", [=](benchmark::State& state) { remember(state, picture, true); });
-  }
-  add_as("pcl_indices", [=](benchmark::State& state) { by_pcl<pcl_with_indices>(state, picture); });
-  add_as("tutorial", [=](benchmark::State& state) { by_pcl<tutorial>(state, picture); });
+  add_fresh(picture, what);
+  add("read_cached" + what, [=](benchmark::State& state) { read(state, picture, false); });
+  add("one_pass_cached" + what, [=](benchmark::State& state) { one_pass(state, picture, false); });
+  add("pcl_indices" + what, [=](benchmark::State& state) { by_pcl<pcl_with_indices>(state, picture); });
+  add("tutorial" + what, [=](benchmark::State& state) { by_pcl<tutorial>(state, picture); });
 }
 
 /// Depth images, which are no message of the tutorial's.
 void add_depths(const std::string& scene, double nan_share) {
   for (const std::size_t pixel_step : {2, 4}) {
-    const Picture picture{640, 480, pixel_step, nan_share, scene};
-    const std::string what = "/640x480/depth_" + std::to_string(pixel_step) + "/" + scene;
-    const auto add_as = [&](const std::string& name, auto run) {
-      benchmark::RegisterBenchmark((name + what).c_str(), run)->Unit(benchmark::kMillisecond);
-    };
-    add_as("read_fresh", [=](benchmark::State& state) { read(state, picture, true); });
-    add_as("one_pass_fresh", [=](benchmark::State& state) { one_pass(state, picture, true); });
-    add_as("near_loss", [=](benchmark::State& state) { remember(state, picture, false); });
-    add_as("near_loss_placed", [=](benchmark::State& state) { remember(state, picture, true); });
+    add_fresh({640, 480, pixel_step, nan_share, scene}, "/640x480/depth_" + std::to_string(pixel_step) + "/" + scene);
   }
 }
 
@@ -132,7 +121,7 @@ void add_all() {
   for (const auto& [width, height] : {Size{320, 240}, Size{640, 480}, Size{1280, 720}, Size{4096, 3072}}) {
     for (const std::size_t point_step : {12, 16, 20, 32}) {
       for (const char* scene : {"wall_0.6m", "wall_2m", "mixed"}) {
-        for (const double nan_share : {0.0, 0.3}) add({width, height, point_step, nan_share, scene});
+        for (const double nan_share : {0.0, 0.3}) add_cloud({width, height, point_step, nan_share, scene});
       }
     }
   }

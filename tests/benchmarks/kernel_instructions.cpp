@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "../../safety_control_cloud/core/near_loss.hpp"
 #include "../../safety_control_cloud/core/scan.hpp"
+#include "look_and_judge.hpp"
 #include "scenes.hpp"
 
 namespace {
@@ -21,13 +21,6 @@ constexpr int version = __clang_major__;
 constexpr const char* compiler = "gcc";
 constexpr int version = __GNUC__;
 #endif
-
-void look_and_judge(const View& view, NearLoss& near_loss) {
-  Gaze gaze;
-  gaze.memory = near_loss.memory_for(view);
-  const Sight sight = look(view, Corridor{}, gaze);
-  near_loss.judge(view, sight, Corridor{}, gaze, 0.0);
-}
 
 /// Callgrind counts what happens in here.
 [[gnu::noinline]] void counted(const View& view, NearLoss& near_loss) { look_and_judge(view, near_loss); }
