@@ -3,8 +3,6 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 
-#include <iostream>
-
 #include "measurement.hpp"
 #include "serialised.hpp"
 
@@ -13,19 +11,15 @@ namespace {
 
 constexpr char frame[] = "camera_depth_optical_frame";
 
-/// The z of the picture's points.
-sensor_msgs::Image image_of(const Picture& picture) {
+sensor_msgs::Image image_of(Picture picture) {
+  picture.point_step = sizeof(float);  // no cloud then, but depths in metres
   sensor_msgs::Image image;
   image.header.frame_id = frame;
   image.width = static_cast<std::uint32_t>(picture.width);
   image.height = static_cast<std::uint32_t>(picture.height);
   image.encoding = "32FC1";
-  image.step = image.width * static_cast<std::uint32_t>(sizeof(float));
-  image.data.resize(image.step * picture.height);
-  const auto points = bytes_of(picture);
-  for (std::size_t i = 0; i < picture.width * picture.height; ++i) {
-    std::memcpy(&image.data[i * sizeof(float)], &points[i * picture.point_step + 2 * sizeof(float)], sizeof(float));
-  }
+  image.step = image.width * static_cast<std::uint32_t>(picture.point_step);
+  image.data = bytes_of(picture);
   return image;
 }
 
@@ -35,8 +29,7 @@ sensor_msgs::CameraInfo info_of(const Picture& picture) {
   info.header.frame_id = frame;
   info.width = static_cast<std::uint32_t>(picture.width);
   info.height = static_cast<std::uint32_t>(picture.height);
-  const double focal = static_cast<double>(picture.width) / (2.0 * std::tan(M_PI / 6.0)), u = 0.5 * info.width,
-               v = 0.5 * info.height;
+  const double focal = picture.focal(), u = 0.5 * info.width, v = 0.5 * info.height;
   info.distortion_model = "plumb_bob";
   info.D.assign(5, 0.0);
   info.K = {focal, 0.0, u, 0.0, focal, v, 0.0, 0.0, 1.0};
@@ -66,11 +59,5 @@ void run(const Plan& plan) {
 }  // namespace safety_control_cloud
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "depth_camera", ros::init_options::NoRosout);
-  if (argc < 7) {
-    std::cerr << "Usage: depth_camera WIDTH HEIGHT RATE WARM_UP CLOUDS PID...\n";
-    return 2;
-  }
-  const ros::NodeHandle keeps_the_threads_running;
-  safety_control_cloud::run(safety_control_cloud::plan_of({argv + 1, argv + argc}));
+  return safety_control_cloud::run_camera(argc, argv, "depth_camera", safety_control_cloud::run);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "measurement.hpp"
 
+#include <unistd.h>
+
 #include <iostream>
 
 #include "process_use.hpp"
@@ -26,8 +28,6 @@ void print_report(const std::vector<Answer>& answers, const ProcessUse& before, 
             << ", \"faults\": " << static_cast<double>(after.faults - before.faults) / clouds << '}' << std::endl;
 }
 
-}  // namespace
-
 Plan plan_of(const std::vector<std::string>& arguments) {
   Plan plan;
   plan.picture.width = std::stoul(arguments.at(0));
@@ -39,8 +39,11 @@ Plan plan_of(const std::vector<std::string>& arguments) {
   plan.warm_up = std::stoi(arguments.at(3));
   plan.clouds = std::stoi(arguments.at(4));
   for (std::size_t i = 5; i < arguments.size(); ++i) plan.processes.push_back(std::stoi(arguments[i]));
+  if (plan.processes.empty()) plan.processes = {getpid()};
   return plan;
 }
+
+}  // namespace
 
 void measure(const Plan& plan, const ros::Publisher& clouds, const CloudSource& source) {
   Exchange exchange(clouds, plan.rate);
@@ -49,6 +52,17 @@ void measure(const Plan& plan, const ros::Publisher& clouds, const CloudSource& 
   const ProcessUse before = use_of(plan.processes);
   const auto answers = exchange.show(plan.clouds, source);
   print_report(answers, before, use_of(plan.processes));
+}
+
+int run_camera(int argc, char** argv, const std::string& node, const std::function<void(const Plan&)>& run) {
+  ros::init(argc, argv, node, ros::init_options::NoRosout);
+  if (argc < 6) {
+    std::cerr << "Usage: " << argv[0] << " WIDTH HEIGHT RATE WARM_UP CLOUDS [PID...]\n";
+    return 2;
+  }
+  const ros::NodeHandle keeps_the_threads_running;
+  run(plan_of({argv + 1, argv + argc}));
+  return 0;
 }
 
 }  // namespace safety_control_cloud

@@ -4,6 +4,7 @@
 #include <ros/ros.h>
 #include <sys/types.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,11 @@ struct Plan {
   std::vector<pid_t> processes;  ///< whose CPU time is measured
 };
 
-/// WIDTH HEIGHT RATE WARM_UP CLOUDS PID... from a command line.
-Plan plan_of(const std::vector<std::string>& arguments);
-
 /// Shows the source's clouds, which it sends by the publisher, to a node, and prints one line of JSON for exchange.py.
 void measure(const Plan& plan, const ros::Publisher& clouds, const CloudSource& source);
+
+/// A camera's main(): runs the plan of its command line, WIDTH HEIGHT RATE WARM_UP CLOUDS [PID...], in a ROS node of
+/// this name. Without a PID its own process is measured. Returns the exit code.
+int run_camera(int argc, char** argv, const std::string& node, const std::function<void(const Plan&)>& run);
 
 }  // namespace safety_control_cloud

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A nodelet manager with our nodelet in it, and a camera in the same process: clouds are handed over, not sent.
 #include <nodelet/loader.h>
-#include <unistd.h>
 
 #include <boost/make_shared.hpp>
-#include <iostream>
 
 #include "measurement.hpp"
 #include "scene_message.hpp"
@@ -33,13 +31,5 @@ void run(const Plan& plan) {
 
 int main(int argc, char** argv) {
   // The nodelet's name, so that _parameter:=value is the nodelet's.
-  ros::init(argc, argv, "safety_control_cloud", ros::init_options::NoRosout);
-  if (argc != 6) {
-    std::cerr << "Usage: nodelet_camera WIDTH HEIGHT RATE WARM_UP CLOUDS\n";
-    return 2;
-  }
-  const ros::NodeHandle keeps_the_threads_running;
-  auto plan = safety_control_cloud::plan_of({argv + 1, argv + argc});
-  plan.processes = {getpid()};
-  safety_control_cloud::run(plan);
+  return safety_control_cloud::run_camera(argc, argv, "safety_control_cloud", safety_control_cloud::run);
 }
