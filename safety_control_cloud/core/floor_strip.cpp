@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "adjacent.hpp"
+
 namespace safety_control_cloud {
 namespace {
 
@@ -94,13 +96,10 @@ void FloorStrip::count_row(const PixelMemory& memory, std::size_t row) {
 
 bool FloorStrip::is_covered() const {
   const std::size_t post = std::max<std::size_t>(2, columns_.size() / post_share_of_width);
-  std::size_t adjacent = 0;
-  for (const Column& column : columns_) {
-    const bool covered = column.blank >= 2 && column.blank >= 3 * (column.shown + column.foot);
-    adjacent = covered ? adjacent + 1 : 0;
-    if (adjacent >= post) return true;
-  }
-  return false;
+  return any_adjacent(post, columns_.size(), [this](std::size_t i) {
+    const Column& column = columns_[i];
+    return column.blank >= 2 && column.blank >= 3 * (column.shown + column.foot);
+  });
 }
 
 }  // namespace safety_control_cloud

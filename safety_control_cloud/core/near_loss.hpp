@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <string>
-#include <vector>
 
-#include "corridor.hpp"
 #include "floor_strip.hpp"
+#include "kept_nearest.hpp"
+#include "loss.hpp"
+#include "lost_pixels.hpp"
 
 namespace safety_control_cloud {
 
 struct NearLossLimits {
   double distance = 0.75;  ///< [m] an obstacle seen nearer than this is kept when it stops returning; 0 = off
   double timeout = 0.0;    ///< [s] after which it is forgotten all the same; 0 = never
-};
-
-/// Something near that has stopped returning.
-struct Loss {
-  std::optional<double> distance;  ///< [m] of its last return; none if only the floor before it was ever seen
-  bool whole = false;              ///< it has gone where the camera cannot see; not a few pixels at its edge
-  std::string reason;
 };
 
 /// Remembers what came near, because a depth camera is blind right before itself (an Xtion nearer than 0.4 m): an
@@ -50,17 +42,12 @@ class NearLoss {
 
  private:
   std::optional<Loss> judge_pixels(const Sight& sight);
-  std::optional<Loss> judge_nearest(const View& view, const Sight& sight, const Corridor& corridor, const Gaze& gaze);
-  void note_what_hides_floor();
-  std::size_t release_columns_with_floor();
-  std::size_t release(const std::vector<std::size_t>& columns);
-  std::optional<Loss> lost_obstacle(std::size_t lost, std::size_t total) const;
 
   NearLossLimits limits_;
   PixelMemory memory_;
   FloorStrip floor_;
-  std::vector<bool> hid_floor_;      ///< of each column: what was last seen near in it stood on the floor
-  std::optional<Obstacle> nearest_;  ///< of a cloud that is not organised
+  LostPixels lost_;
+  KeptNearest nearest_;
   std::optional<double> lost_since_;
 };
 

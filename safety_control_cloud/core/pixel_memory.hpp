@@ -53,6 +53,9 @@ struct PixelMemory {
   static bool is_near(std::uint16_t code) { return code < ground_zero; }
   static bool is_ground(std::uint16_t code) { return code >= ground_zero && code < elsewhere; }
 
+  /// Whether something near is seen in this column, and in the corridor.
+  bool is_near_now(std::size_t column) const { return is_near(near.nearest_now[column]); }
+
   const std::uint16_t* row(std::size_t i) const { return pixels.data() + i * width; }
   std::uint16_t* row(std::size_t i) { return pixels.data() + i * width; }
 

@@ -44,13 +44,7 @@ bool is_blind(const Sight& sight, double min_valid_ratio) {
 }
 
 Zone zone_of(const Loss& loss, const ZoneLimits& limits) {
-  return loss.whole || !loss.distance ? Zone::Danger : zone_at(*loss.distance, limits);
-}
-
-std::optional<Obstacle> obstacle_of(const Loss& loss) {
-  if (!loss.distance) return std::nullopt;
-  constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
-  return Obstacle{Point(unknown, unknown, static_cast<float>(*loss.distance))};
+  return loss.whole || !loss.obstacle ? Zone::Danger : zone_at(loss.obstacle->distance(), limits);
 }
 
 }  // namespace
@@ -130,7 +124,7 @@ Decision SafetyControl::decide_by(const Sight& sight, const std::optional<Loss>&
   if (lost < seen) {
     last_.cause = Cause::NearLoss;
     last_.reason = loss->reason;
-    last_.nearest = obstacle_of(*loss);
+    last_.nearest = loss->obstacle;
   } else {
     last_.cause = Cause::Seen;
     last_.reason =

@@ -3,30 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "../../safety_control_cloud/core/safety_control.hpp"
-#include "scene.hpp"
+#include "looking_robot.hpp"
 
 namespace safety_control_cloud {
 namespace {
-
-/// A robot that looks, a cloud every 50 ms.
-class Robot {
- public:
-  explicit Robot(const Settings& settings = {}) : control_(settings) {}
-
-  Decision sees(const Scene& scene) { return sees(scene.view()); }
-  Decision sees(const std::vector<Board>& boards) { return sees(Scene(boards)); }
-  Decision sees(const CloudView& cloud) {
-    now_ += 0.05;
-    return control_.decide(cloud, Origin{now_}, Instant{now_, now_});
-  }
-  void waits(double seconds) { now_ += seconds; }
-  SafetyControl& control() { return control_; }
-
- private:
-  SafetyControl control_;
-  double now_ = 100.0;
-};
 
 const Board hanging_board = {0.0f, -0.2f, 0.2f, -0.2f, 0.05f};
 
@@ -235,68 +215,6 @@ TEST(NearLoss, LossOutlivesAChangeOfResolution) {
   CloudView small = view_of(half);
   small.width = 40, small.height = 30, small.row_step = 40 * sizeof(Xyz);
   EXPECT_EQ(robot.sees(small).cause, Cause::NearLoss);
-}
-
-TEST(NearLoss, UnorganisedCloudKeepsItsNearestUntilSomethingIsSeenBehindIt) {
-  Robot robot;
-  const std::vector<Xyz> near = {{0.05f, 0.0f, 0.45f}, {0.0f, 1.0f, 3.0f}};
-  const std::vector<Xyz> lost = {{0.9f, 0.0f, 3.0f}, {0.0f, 1.0f, 3.0f}};
-  const std::vector<Xyz> behind = {{0.34f, 0.0f, 3.06f}, {0.0f, 1.0f, 3.0f}};
-  EXPECT_EQ(robot.sees(view_of(near)).cause, Cause::Seen);
-  const Decision decision = robot.sees(view_of(lost));
-  EXPECT_EQ(decision.cause, Cause::NearLoss);
-  EXPECT_FLOAT_EQ(static_cast<float>(decision.nearest->distance()), 0.45f);
-  EXPECT_EQ(decision.speed, 0.0);
-  EXPECT_EQ(robot.sees(view_of(behind)).speed, 0.2);
-}
-
-TEST(NearLoss, CloudOfOneColumnIsNoPictureAndKeepsItsNearestToo) {
-  const auto column = [](const std::vector<Xyz>& points) {
-    CloudView view = view_of(points);
-    view.width = 1, view.height = points.size(), view.row_step = sizeof(Xyz);
-    return view;
-  };
-  Robot robot;
-  const std::vector<Xyz> near = {{0.0f, 0.0f, 0.6f}, {0.0f, 0.01f, 0.6f}, {0.0f, 1.0f, 3.0f}};
-  const std::vector<Xyz> lost = {{nan, nan, nan}, {nan, nan, nan}, {0.0f, 1.0f, 3.0f}};
-  robot.sees(column(near));
-  EXPECT_EQ(robot.sees(column(lost)).cause, Cause::NearLoss);
-}
-
-TEST(NearLoss, PictureTooTallToCountStillKeepsItsNearest) {
-  std::vector<Xyz> points(2 * 65536, Xyz{0.0f, 0.0f, 0.6f});
-  CloudView tall = view_of(points);
-  tall.width = 2, tall.height = 65536, tall.row_step = 2 * sizeof(Xyz);
-  Robot robot;
-  robot.sees(tall);
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] = i % 2 ? Xyz{nan, nan, nan} : Xyz{0.9f, 0.0f, 3.0f};
-  EXPECT_EQ(robot.sees(tall).cause, Cause::NearLoss);
-}
-
-TEST(NearLoss, UnorganisedObstacleThatWasTooCloseToMeasureDoesNotStopTheRobotForEver) {
-  Robot robot;
-  const std::vector<Xyz> too_close = {{nan, nan, -inf}, {0.0f, 1.0f, 3.0f}};
-  const std::vector<Xyz> free = {{0.9f, 0.0f, 3.0f}, {0.0f, 1.0f, 3.0f}};
-  EXPECT_EQ(robot.sees(view_of(too_close)).speed, 0.0);
-  EXPECT_EQ(robot.sees(view_of(free)).speed, 0.2);
-}
-
-TEST(NearLoss, UnorganisedObstacleThatCameTooCloseToMeasureIsStillThere) {
-  Robot robot;
-  const std::vector<Xyz> near = {{0.0f, 0.0f, 0.6f}, {0.0f, 1.0f, 3.0f}};
-  const std::vector<Xyz> too_close = {{nan, nan, -inf}, {0.0f, 1.0f, 3.0f}};
-  const std::vector<Xyz> lost = {{nan, nan, nan}, {0.0f, 1.0f, 3.0f}};
-  robot.sees(view_of(near));
-  robot.sees(view_of(too_close));
-  EXPECT_EQ(robot.sees(view_of(lost)).cause, Cause::NearLoss);
-}
-
-TEST(NearLoss, UnorganisedObstacleThatRetreatsIsNotLost) {
-  Robot robot;
-  const std::vector<Xyz> near = {{0.0f, 0.0f, 0.74f}, {0.0f, 1.0f, 3.0f}};
-  const std::vector<Xyz> farther = {{0.08f, 0.0f, 0.76f}, {0.0f, 1.0f, 3.0f}};
-  robot.sees(view_of(near));
-  EXPECT_EQ(robot.sees(view_of(farther)).cause, Cause::Seen);
 }
 
 }  // namespace
