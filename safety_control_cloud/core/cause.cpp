@@ -29,6 +29,8 @@ const char* name_of(Cause cause) {
       return "NO_TRANSFORM";
     case Cause::TwoSources:
       return "TWO_SOURCES";
+    case Cause::LowObstacle:
+      return "LOW_OBSTACLE";
   }
   return "UNKNOWN";
 }

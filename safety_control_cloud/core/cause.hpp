@@ -19,6 +19,7 @@ enum class Cause : std::uint8_t {
   Frozen = 9,        ///< frozen_clouds clouds with new stamps and the same content
   NoTransform = 10,  ///< target_frame is set and the camera's place in it is not known
   TwoSources = 11,   ///< clouds of two publishers arrive in turn
+  LowObstacle = 12,  ///< something lower than the corridor stands on the near floor
 };
 
 const char* name_of(Cause cause);  ///< "SEEN", "NO_CLOUD", ...

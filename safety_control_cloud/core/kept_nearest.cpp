@@ -41,7 +41,7 @@ std::optional<Loss> KeptNearest::judge(const View& view, const Sight& sight, con
     nearest_.reset();
     return std::nullopt;
   }
-  return Loss{remembered_at(nearest_->distance()), true,
+  return Loss{Cause::NearLoss, remembered_at(nearest_->distance()), true,
               "the nearest obstacle has stopped returning and nothing is seen behind it"};
 }
 

@@ -5,12 +5,14 @@
 #include <optional>
 #include <string>
 
+#include "cause.hpp"
 #include "corridor.hpp"
 
 namespace safety_control_cloud {
 
-/// Something near that has stopped returning.
+/// Something near that is not among the returns in the corridor.
 struct Loss {
+  Cause cause = Cause::NearLoss;     ///< or LowObstacle
   std::optional<Obstacle> obstacle;  ///< as it was last seen; none if only the floor before it was ever seen
   bool whole = false;                ///< it has gone where the camera cannot see; not a few pixels at its edge
   std::string reason;

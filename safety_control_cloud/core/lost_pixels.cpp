@@ -89,7 +89,7 @@ std::optional<Loss> LostPixels::judge(const PixelMemory& memory, std::size_t los
   }
   if (nearest == limit) return std::nullopt;
   const bool whole = lost > memory.near.now && lost * obstacle_share >= total;
-  return Loss{remembered_at(PixelMemory::distance_of_near(nearest)), whole,
+  return Loss{Cause::NearLoss, remembered_at(PixelMemory::distance_of_near(nearest)), whole,
               "an obstacle has stopped returning and nothing is seen behind it"};
 }
 

@@ -47,7 +47,8 @@ PixelMemory* NearLoss::memory_for(const View& view) {
 std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const Corridor& corridor, const Gaze& gaze,
                                     double now) {
   if (limits_.distance <= 0.0) return std::nullopt;
-  const auto loss = gaze.memory ? judge_pixels(sight) : nearest_.judge(view, sight, corridor, gaze, limits_.distance);
+  const auto loss =
+      gaze.memory ? judge_pixels(view, sight, gaze) : nearest_.judge(view, sight, corridor, gaze, limits_.distance);
   if (!loss) {
     lost_since_.reset();
     return std::nullopt;
@@ -60,14 +61,18 @@ std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const 
   return loss;
 }
 
-std::optional<Loss> NearLoss::judge_pixels(const Sight& sight) {
+std::optional<Loss> NearLoss::judge_pixels(const View& view, const Sight& sight, const Gaze& gaze) {
   floor_.survey(memory_);
   // Also while the floor is covered: who comes near meanwhile is to be let go again.
   const std::size_t lost = lost_.forgive(memory_, floor_, sight);
+  const auto low = low_.judge(memory_, view, gaze);
   if (floor_.is_covered()) {
-    return Loss{std::nullopt, true, "the near floor is hidden by something nearer than the camera can see"};
+    return Loss{Cause::NearLoss, std::nullopt, true,
+                "the near floor is hidden by something nearer than the camera can see"};
   }
-  return lost_.judge(memory_, lost, sight.total, limits_.distance);
+  if (low && low->whole) return low;
+  const auto loss = lost_.judge(memory_, lost, sight.total, limits_.distance);
+  return loss ? loss : low;
 }
 
 }  // namespace safety_control_cloud

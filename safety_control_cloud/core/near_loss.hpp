@@ -7,6 +7,7 @@
 #include "kept_nearest.hpp"
 #include "loss.hpp"
 #include "lost_pixels.hpp"
+#include "low_obstacles.hpp"
 
 namespace safety_control_cloud {
 
@@ -26,6 +27,7 @@ struct NearLossLimits {
 ///   floor is seen again, the column is free. What reaches down to the near floor counts too, though it hid none yet:
 ///   nearer than it was, it would. A board that hangs never hid the floor, so the floor says nothing of it.
 /// - Near floor that goes blank over the width of a post is hidden by something too near to return.
+/// - What ends below the corridor is lost from sight at the lower edge of the picture: see LowObstacles.
 class NearLoss {
  public:
   explicit NearLoss(const NearLossLimits& limits) : limits_(limits) {}
@@ -41,12 +43,13 @@ class NearLoss {
                             double now);
 
  private:
-  std::optional<Loss> judge_pixels(const Sight& sight);
+  std::optional<Loss> judge_pixels(const View& view, const Sight& sight, const Gaze& gaze);
 
   NearLossLimits limits_;
   PixelMemory memory_;
   FloorStrip floor_;
   LostPixels lost_;
+  LowObstacles low_;
   KeptNearest nearest_;
   std::optional<double> lost_since_;
 };

@@ -122,7 +122,7 @@ Decision SafetyControl::decide_by(const Sight& sight, const std::optional<Loss>&
   last_.speed = speed_for(last_.zone, settings_.speeds);
   last_.sight = sight;
   if (lost < seen) {
-    last_.cause = Cause::NearLoss;
+    last_.cause = loss->cause;
     last_.reason = loss->reason;
     last_.nearest = loss->obstacle;
   } else {

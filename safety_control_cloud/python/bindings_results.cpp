@@ -33,7 +33,8 @@ void bind_results(py::module& module) {
       .value("NEAR_LOSS", core::Cause::NearLoss)
       .value("FROZEN", core::Cause::Frozen)
       .value("NO_TRANSFORM", core::Cause::NoTransform)
-      .value("TWO_SOURCES", core::Cause::TwoSources);
+      .value("TWO_SOURCES", core::Cause::TwoSources)
+      .value("LOW_OBSTACLE", core::Cause::LowObstacle);
   py::class_<core::Obstacle>(module, "Obstacle")
       .def_property_readonly("distance", &core::Obstacle::distance)
       .def_property_readonly("point", [](const core::Obstacle& obstacle) {

@@ -52,6 +52,10 @@ class Robot:
         """Once the camera shows what it shows now, the robot drives at this speed, because it has seen."""
         self._settles(speed, "SEEN", within)
 
+    def slows(self, cause: str, within: float = ONE_CLOUD) -> SafetyState:
+        """Once the camera shows what it shows now, the robot is told to drive slowly, for this cause."""
+        return self._settles(0.1, cause, within)
+
     def stops(self, cause: str, within: float = ONE_CLOUD) -> SafetyState:
         """Once the camera shows what it shows now, the robot is told to stand, for this cause; and stands."""
         return self._settles(0.0, cause, within)

@@ -28,6 +28,10 @@ def post(distance: float, x: float = 0.0, width: float = 0.1) -> Board:
     return distance, x - width / 2, x + width / 2, -1.0, FLOOR
 
 
+def kerb(distance: float) -> Board:
+    return distance, -0.2, 0.2, FLOOR - 0.07, FLOOR
+
+
 def points_of(*boards: Board, width: int = WIDTH, height: int = HEIGHT) -> np.ndarray:
     """(height, width, 3) float32; NaN where nothing returns."""
     zoom = width / WIDTH

@@ -2,7 +2,7 @@
 """Clouds that are well-formed and show nothing, or too little, or the same for ever."""
 import numpy as np
 import pytest
-from scenes import HEIGHT, WIDTH, always, cloud_of, hall, hall_with, pixels_of, points_of, post, wall
+from scenes import HEIGHT, WIDTH, always, cloud_of, hall, hall_with, kerb, pixels_of, points_of, post, wall
 
 NOWHERE = np.full((HEIGHT, WIDTH, 3), np.nan, np.float32)
 
@@ -29,6 +29,15 @@ def test_a_camera_without_returns_is_blind(robot, cloud):
 def test_an_obstacle_stops_the_robot_and_lets_it_go(robot):
     robot.camera.show(hall(wall(0.45)))
     assert abs(robot.stops("SEEN").nearest - 0.45) < 0.01
+    robot.camera.show(hall())
+    robot.drives()
+
+
+def test_a_kerb_lower_than_the_corridor_slows_the_robot_and_stops_it(robot):
+    robot.camera.show(hall(kerb(0.72)))
+    assert abs(robot.slows("LOW_OBSTACLE").nearest - 0.72) < 0.01
+    robot.camera.show(hall(kerb(0.62)))
+    assert abs(robot.stops("LOW_OBSTACLE").nearest - 0.62) < 0.01
     robot.camera.show(hall())
     robot.drives()
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // libFuzzer: whatever a camera, a clock and a parameter server may send, in any order. Both methods must decide the
 // same, and nothing but sight may move the robot.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -97,7 +98,9 @@ void require_same(const Decision& a, const Decision& b) {
 
 void require_safe(const Decision& decision, const Settings& settings) {
   require(decision.speed == speed_for(decision.zone, settings.speeds), "the speed is the zone's");
-  const bool has_looked = decision.cause == Cause::Seen || decision.cause == Cause::NearLoss;
+  const auto causes_of_sight = {Cause::Seen, Cause::NearLoss, Cause::LowObstacle};
+  const bool has_looked =
+      std::find(causes_of_sight.begin(), causes_of_sight.end(), decision.cause) != causes_of_sight.end();
   require(has_looked || (decision.speed == 0.0 && decision.zone == Zone::Danger), "in doubt the robot stands");
   require(!decision.reason.empty(), "every decision has a reason");
   if (!has_looked || !decision.nearest) return;

@@ -73,6 +73,9 @@ void write_all(const std::string& folder) {
   write(folder + "/Unorganised", defaults, {unorganised, free, unorganised});
   write(folder + "/Drive", defaults, {free, wall, near, free, event(Event::Quiet, 100), event(Event::Quiet, 600)});
   write(folder + "/NearLoss", defaults, {near, lost, lost, free});
+  const Step kerb = picture(Scene({{0.72f, -0.2f, 0.2f, 0.22f, floor_y}})),
+             nearer = picture(Scene({{0.64f, -0.2f, 0.2f, 0.22f, floor_y}}));
+  write(folder + "/LowObstacle", defaults, {free, kerb, nearer, nearer, free});
   write(folder + "/NearLossForgotten", defaults, {near, lost, event(Event::Forget, 0), lost});
   Choice frozen;
   frozen.frozen_clouds = 1;

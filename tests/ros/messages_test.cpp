@@ -73,7 +73,8 @@ TEST(Messages, EveryCauseBearsTheSameNumberAndNameInTheMessage) {
                                                            {SafetyState::NEAR_LOSS, "NEAR_LOSS"},
                                                            {SafetyState::FROZEN, "FROZEN"},
                                                            {SafetyState::NO_TRANSFORM, "NO_TRANSFORM"},
-                                                           {SafetyState::TWO_SOURCES, "TWO_SOURCES"}};
+                                                           {SafetyState::TWO_SOURCES, "TWO_SOURCES"},
+                                                           {SafetyState::LOW_OBSTACLE, "LOW_OBSTACLE"}};
   for (const auto& [number, name] : causes) EXPECT_STREQ(name_of(static_cast<Cause>(number)), name);
   EXPECT_STREQ(name_of(static_cast<Cause>(causes.size())), "UNKNOWN") << "a cause is missing in this table";
 }

@@ -32,6 +32,7 @@ class Cause:
     FROZEN: Cause
     NO_TRANSFORM: Cause
     TWO_SOURCES: Cause
+    LOW_OBSTACLE: Cause
     name: str
     def __int__(self) -> int: ...
 

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "low_obstacles.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "adjacent.hpp"
+#include "point_reader.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+/// What is lower, a robot climbs [mm]: a Kobuki 12, and noise is not to stop it.
+constexpr std::uint16_t step_height = 25;
+
+/// By which the floor may lie higher than it did and still be the floor [mm]: at 0.7 m, a pitch of 1.2 degrees.
+constexpr std::uint16_t floor_tolerance = 15;
+
+/// A post of 2 cm at 0.7 m, where an Xtion loses the floor, takes 1/40 of its 60 degrees.
+constexpr std::size_t post_share_of_width = 40;
+
+/// What a pixel shows of the near ground now [mm below the camera]; 0 if it shows none.
+std::uint16_t ground_now(std::uint16_t pixel) {
+  constexpr std::uint16_t zero = PixelMemory::now | PixelMemory::ground_zero;
+  constexpr std::uint16_t codes = PixelMemory::elsewhere - PixelMemory::ground_zero;
+  const auto below = static_cast<std::uint16_t>(pixel - zero);  // wraps for what is less
+  return below < codes ? below : std::uint16_t{0};
+}
+
+bool is_on_step(std::uint16_t ground, std::uint16_t floor) { return ground > 0 && ground + step_height <= floor; }
+
+/// The point of a pixel, in the corridor's axes.
+Point point_at(const View& view, std::size_t row, std::size_t column, const Gaze& gaze) {
+  Point point;
+  const auto take = [&](float x, float y, float z) { point = placed(x, y, z, gaze); };
+  with_reader(view, [&](auto reader) { reader(row, column, take); });
+  return point;
+}
+
+/// Of another resolution of the same picture; zero if there was none.
+std::vector<std::uint16_t> stretched(std::vector<std::uint16_t> columns, std::size_t width) {
+  if (columns.size() == width) return columns;
+  std::vector<std::uint16_t> all(width, 0);
+  for (std::size_t i = 0; i < width && !columns.empty(); ++i) all[i] = columns[i * columns.size() / width];
+  return all;
+}
+
+}  // namespace
+
+std::optional<Loss> LowObstacles::judge(const PixelMemory& memory, const View& view, const Gaze& gaze) {
+  survey(memory);
+  const std::size_t post = std::max<std::size_t>(2, memory.width / post_share_of_width);
+  if (!any_adjacent(post, memory.width, [this](std::size_t i) { return is_step(i); })) return std::nullopt;
+  Loss loss;
+  loss.cause = Cause::LowObstacle;
+  loss.whole = any_adjacent(post, memory.width, [this](std::size_t i) { return hides_floor(i); });
+  loss.reason = "something lower than the corridor stands on the near floor";
+  for (const auto& [row, column] : pixels(memory)) {
+    const Point point = point_at(view, row, column, gaze);
+    if (!loss.obstacle || point.z < loss.obstacle->point.z) loss.obstacle = Obstacle{point};
+  }
+  return loss;
+}
+
+void LowObstacles::survey(const PixelMemory& memory) {
+  floor_ = stretched(std::move(floor_), memory.width);
+  lowest_.assign(memory.width, 0);
+  above_.assign(memory.width, 0);
+  for (std::size_t row = memory.height; row > 0 && look_at_row(memory.row(row - 1)); --row) {
+  }
+  for (std::size_t i = 0; i < memory.width; ++i) {
+    const bool step = above_[i] >= 2 && !memory.is_near_now(i);  // one pixel alone may be noise
+    if (step) floor_[i] = std::max(floor_[i], lowest_[i]);  // nearer, the lowest pixel shows more and more of the step
+    if (!step && !hides_floor(i)) floor_[i] = 0;
+  }
+}
+
+/// Whether it shows any near ground.
+bool LowObstacles::look_at_row(const std::uint16_t* pixels) {
+  std::uint16_t any = 0;
+  std::uint16_t *lowest = lowest_.data(), *above = above_.data();
+  for (std::size_t i = 0, width = lowest_.size(); i < width; ++i) {
+    const std::uint16_t ground = ground_now(pixels[i]);
+    lowest[i] = lowest[i] == 0 ? ground : lowest[i];
+    above[i] = static_cast<std::uint16_t>(above[i] + is_on_step(ground, lowest[i]));
+    any |= ground;
+  }
+  return any != 0;
+}
+
+/// Where nothing is seen, nothing says that the floor is there again.
+bool LowObstacles::hides_floor(std::size_t column) const { return lowest_[column] + floor_tolerance < floor_[column]; }
+
+std::vector<LowObstacles::Pixel> LowObstacles::pixels(const PixelMemory& memory) const {
+  std::vector<Pixel> found;
+  for (std::size_t i = 0; i < memory.width; ++i) {
+    std::size_t row = is_step(i) ? memory.height : 0;
+    while (row > 0 && !is_on_step(ground_now(memory.row(row - 1)[i]), floor_[i])) --row;
+    if (row > 0) found.push_back({row - 1, i});
+  }
+  return found;
+}
+
+}  // namespace safety_control_cloud
