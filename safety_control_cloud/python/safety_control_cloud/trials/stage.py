@@ -17,7 +17,7 @@ FREE_TO = 1.2  # [m] from the camera: nothing in the corridor nearer than this, 
 _CORRIDOR = "true_corridor"
 _HALF_WIDTH = 0.305  # [m] the corridor's 0.30 and the camera's noise
 _HIGH = 0.57  # [m] above the floor: y from -0.25 and what the pitch makes of it
-_PITCH = 0.007  # [m] that the corridor's bottom lies lower at FREE_TO when the robot's nose is down, and noise
+_LOW = 0.03  # [m] above the floor: lower than what the robot is to stand for, higher than what it climbs
 _UNSEEN = 4  # MuJoCo's camera does not draw this group
 # No textures and no buffer for shadows, which the camera does not draw: making the renderer takes a tenth of the time.
 _SCENERY = '<visual><headlight ambient="0.5 0.5 0.5"/><quality shadowsize="0"/></visual>'
@@ -96,10 +96,9 @@ class Stage:
 
 
 def _mjcf(scenario: Scenario) -> str:
-    low = XTION.mount[2] - dict(scenario.settings).get("y_max", 0.20) - _PITCH
-    half = f"{FREE_TO / 2} {_HALF_WIDTH} {(_HIGH - low) / 2}"
+    half = f"{FREE_TO / 2} {_HALF_WIDTH} {(_HIGH - _LOW) / 2}"
     corridor = (
-        f'<body name="{_CORRIDOR}" mocap="true" pos="0 0 {(low + _HIGH) / 2}"><geom name="{_CORRIDOR}" type="box" '
+        f'<body name="{_CORRIDOR}" mocap="true" pos="0 0 {(_LOW + _HIGH) / 2}"><geom name="{_CORRIDOR}" type="box" '
         f'size="{half}" contype="0" conaffinity="0" group="{GROUP}"/></body>'
     )
     bodies = "".join(thing.mjcf for thing in scenario.things)
