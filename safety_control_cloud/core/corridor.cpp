@@ -120,7 +120,7 @@ std::optional<Obstacle> nearest_of(std::size_t too_close, const Cloud& inside, c
 }
 
 Sight look(const View& view, const Corridor& corridor, const Gaze& gaze) {
-  const Runs runs(view);
+  const Runs runs(view, gaze.memory ? Rows::Apart : Rows::Joined);
   std::vector<float> nearest(runs.size());
   if (gaze.memory) gaze.memory->start_cloud();
   const Cloud::Ptr crop(gaze.crop == Crop::Keep ? new Cloud : nullptr);

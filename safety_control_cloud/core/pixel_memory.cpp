@@ -15,7 +15,7 @@ void PixelMemory::note(std::size_t row, std::size_t column, std::size_t size) {
     // Near and with the flag `now` becomes less than all else, as near and without it, which is lost, was.
     const auto flipped = static_cast<std::uint16_t>(piece[i] ^ now);
     near.nearest_now[column + i] = std::min(near.nearest_now[column + i], flipped);
-    near.nearest_lost[row] = std::min(near.nearest_lost[row], piece[i]);
+    near.nearest_lost[row] = std::min(near.nearest_lost[row], is_near(piece[i]) ? piece[i] : none);
     near.now += is_near(flipped);
     near.lost += is_near(piece[i]);
   }

@@ -12,7 +12,7 @@ namespace safety_control_cloud {
 /// What the latest cloud left in a PixelMemory: who looks for what is near need not go through all pixels again.
 struct NearPixels {
   std::vector<std::uint16_t> nearest_now;   ///< of each column: the nearest return; none if the code is not near
-  std::vector<std::uint16_t> nearest_lost;  ///< of each row: the nearest that is lost; none if the code is not near
+  std::vector<std::uint16_t> nearest_lost;  ///< of each row: the nearest that is lost; none if no near one is
   std::size_t now = 0;                      ///< pixels that return something near and in the corridor
   std::size_t lost = 0;  ///< pixels that return nothing, and last did something near and in the corridor
 };

@@ -17,7 +17,8 @@ CloudView with_joined_rows(CloudView cloud) {
 /// Where a pixel's point lies depends on its row.
 DepthView with_joined_rows(const DepthView& image) { return image; }
 
-View in_longest_rows(const View& view) {
+View in_longest_rows(const View& view, Rows rows) {
+  if (rows == Rows::Apart) return view;
   return std::visit([](const auto& points) { return View(with_joined_rows(points)); }, view);
 }
 
@@ -42,8 +43,15 @@ DepthView piece_of(DepthView image, std::size_t row, std::size_t column, std::si
   return image;
 }
 
-Runs::Runs(const View& view)
-    : rows_(in_longest_rows(view)), in_row_(width_of(rows_) / longest + (width_of(rows_) % longest == 0 ? 0 : 1)) {}
+Run part_of(const Run& run, std::size_t begin, std::size_t width) {
+  const bool ends_run = begin + width == width_of(run.points);
+  const auto cut = [&](const auto& points) { return View(piece_of(points, 0, begin, width)); };
+  return {std::visit(cut, run.points), run.first + begin, run.followed || !ends_run};
+}
+
+Runs::Runs(const View& view, Rows rows)
+    : rows_(in_longest_rows(view, rows)),
+      in_row_(width_of(rows_) / longest + (width_of(rows_) % longest == 0 ? 0 : 1)) {}
 
 Run Runs::operator[](std::size_t run) const {
   const std::size_t row = run / in_row_, begin = run % in_row_ * longest;

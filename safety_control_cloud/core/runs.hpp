@@ -18,12 +18,18 @@ struct Run {
   bool followed = false;  ///< another point of the view lies behind the last one in memory
 };
 
-/// A view as the runs that it is scanned in. A cloud's rows that follow each other without a gap count as one.
+/// `width` successive points of a run.
+Run part_of(const Run& run, std::size_t begin, std::size_t width);
+
+/// Whether a cloud's rows that follow each other without a gap count as one.
+enum class Rows { Joined, Apart };
+
+/// A view as the runs that it is scanned in.
 class Runs {
  public:
   static constexpr std::size_t longest = 1024;  ///< points; what is done once a run then hardly counts
 
-  explicit Runs(const View& view);
+  explicit Runs(const View& view, Rows rows = Rows::Joined);
 
   std::size_t size() const { return height_of(rows_) * in_row_; }
   Run operator[](std::size_t run) const;

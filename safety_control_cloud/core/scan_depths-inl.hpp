@@ -15,9 +15,9 @@ namespace safety_control_cloud {
 namespace HWY_NAMESPACE {
 namespace {
 
-#if HWY_TARGET != HWY_SCALAR
-
 using Signed = hn::RebindToSigned<Floats>;
+
+#if HWY_TARGET != HWY_SCALAR
 
 /// Pixels that lie anywhere.
 template <class Tag>
@@ -79,7 +79,7 @@ void visit(const DepthView& row, bool, Visitor& visitor) {
   std::size_t visited = 0;
 #if HWY_TARGET != HWY_SCALAR
   if (!row.swapped) {
-    visited = row.width / lanes * lanes;
+    visited = row.width / Visitor::at_once * Visitor::at_once;
     row.depth == Depth::Metres ? visit_points(Depths<InMetres>(row, Rays(row)), visited, 0, visitor)
                                : visit_points(Depths<InMillimetres>(row, Rays(row)), visited, 0, visitor);
   }

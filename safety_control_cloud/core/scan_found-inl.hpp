@@ -37,9 +37,6 @@ struct Walls {
         range_min(all(corridor.range_min)) {}
 
   HWY_INLINE Mask span(const Points& points) const { return hn::And(hn::Ge(points.x, x_min), hn::Le(points.x, x_max)); }
-  HWY_INLINE Mask hold(const Points& points) const {
-    return hn::And(span(points), hn::And(hn::Ge(points.y, y_min), hn::Le(points.y, y_max)));
-  }
 };
 
 HWY_INLINE Mask is_return(const Points& points, const Walls& walls) {
@@ -48,17 +45,11 @@ HWY_INLINE Mask is_return(const Points& points, const Walls& walls) {
   return hn::And(hn::Gt(z_if_finite, walls.range_min), hn::Lt(z_if_finite, all(infinity)));
 }
 
-HWY_INLINE Mask is_inside(const Points& placed, const Walls& walls) {
-  return hn::And(walls.hold(placed), hn::Gt(placed.z, all(0.0f)));
-}
-
 /// The cloud's frame is the corridor's.
 struct Unplaced {
   explicit HWY_INLINE Unplaced(const Gaze&) {}
   HWY_INLINE Points operator()(const Points& points) const { return points; }
-  HWY_INLINE Mask inside(const Points& placed, const Walls& walls, Mask returning) const {
-    return hn::And(returning, is_inside(placed, walls));
-  }
+  HWY_INLINE Mask ahead(const Points& placed) const { return hn::Gt(placed.z, all(0.0f)); }
 };
 
 /// Takes points to the corridor's axes, by the very operations of Placement.
@@ -74,8 +65,8 @@ struct Placed {
     return {along(xx, xy, xz, x0), along(yx, yy, yz, y0), along(zx, zy, zz, z0)};
   }
   /// A far point may have overflowed on its way.
-  HWY_INLINE Mask inside(const Points& placed, const Walls& walls, Mask returning) const {
-    return hn::And(hn::And(returning, hn::Lt(placed.z, all(infinity))), is_inside(placed, walls));
+  HWY_INLINE Mask ahead(const Points& placed) const {
+    return hn::And(hn::Gt(placed.z, all(0.0f)), hn::Lt(placed.z, all(infinity)));
   }
 
  private:
@@ -105,42 +96,37 @@ HWY_INLINE Mask is_too_close(const Points& points, const Walls& walls, bool anyw
   return hn::And(at_minus_infinity, hn::And(x_maybe, y_maybe));
 }
 
-/// What pixels remember of these points, with the flag `now`; 0 of those that are no returns. Only the low 16 bits of
-/// every lane mean something.
-HWY_INLINE Integer remembered(const Points& placed, const Walls& walls, Float near_distance, Mask returning) {
-  const Mask near = hn::And(hn::Gt(placed.z, all(0.0f)), hn::Lt(placed.z, near_distance));
-  const Mask in_sight = hn::And(walls.span(placed), hn::Ge(placed.y, walls.y_min));
-  const Mask below = hn::Gt(placed.y, walls.y_max);
-  const Float depth_below = hn::Min(hn::Max(placed.y, all(0.0f)), all(static_cast<float>(PixelMemory::farthest)));
-  const Float metres = hn::IfThenElse(below, depth_below, placed.z);
-  const Float per_metre = hn::IfThenElse(below, all(PixelMemory::ground_per_metre), all(PixelMemory::near_per_metre));
+/// Points, in the corridor's axes, and which of them are what. Those in sight are inside or below the corridor.
+struct Found {
+  Points placed;
+  Mask returning, in_sight, inside;
+
+  template <class Placing>
+  HWY_INLINE Found(const Points& points, const Walls& walls, const Placing& place) : placed(place(points)) {
+    returning = is_return(points, walls);
+    const Mask ahead = hn::And(returning, place.ahead(placed));
+    in_sight = hn::And(ahead, hn::And(walls.span(placed), hn::Ge(placed.y, walls.y_min)));
+    inside = hn::And(in_sight, hn::Le(placed.y, walls.y_max));
+  }
+};
+
+/// What pixels remember of these points, with the flag `now`, as signed numbers of 16 bits; 0 of those that are no
+/// returns.
+HWY_INLINE hn::Vec<Signed> remembered(const Found& found, Float near_distance) {
   // From 2^23 on the bits of a float count in ones: adding rounds, as std::nearbyint does, and needs no conversion.
   constexpr float two_to_23 = 8388608.0f;
-  const Float zero = hn::IfThenElse(below, all(two_to_23 + (PixelMemory::now | PixelMemory::ground_zero)),
-                                    all(two_to_23 + PixelMemory::now));
-  const Integer code = hn::BitCast(Integers(), hn::Add(hn::Mul(metres, per_metre), zero));
-  const Integer seen = hn::IfThenElse(hn::RebindMask(Integers(), hn::And(near, in_sight)), code,
-                                      all_of(PixelMemory::now | PixelMemory::elsewhere));
-  return hn::IfThenElseZero(hn::RebindMask(Integers(), returning), seen);
+  constexpr std::int32_t bits_of_it = 0x4B000000;
+  const auto [x, y, z] = found.placed;
+  const Float below = hn::Min(hn::Max(y, all(0.0f)), all(static_cast<float>(PixelMemory::farthest)));
+  const Float ground =
+      hn::Add(hn::Mul(below, all(PixelMemory::ground_per_metre)), all(two_to_23 + PixelMemory::ground_zero));
+  const Float ahead = hn::Add(hn::Mul(z, all(PixelMemory::near_per_metre)), all(two_to_23));
+  const Float code = hn::IfThenElse(found.inside, ahead, ground);
+  const Float elsewhere = all(two_to_23 + PixelMemory::elsewhere);
+  const Float seen = hn::IfThenElse(hn::And(found.in_sight, hn::Lt(z, near_distance)), code, elsewhere);
+  const auto flagged = hn::Sub(hn::BitCast(Signed(), seen), hn::Set(Signed(), bits_of_it + PixelMemory::now));
+  return hn::IfThenElseZero(hn::RebindMask(Signed(), found.returning), flagged);
 }
-
-/// How many lanes were set in all masks.
-class Tally {
- public:
-  HWY_INLINE Tally() : count_(hn::Zero(Integers())) {}
-
-  HWY_INLINE void add(Mask mask) {
-#if HWY_TARGET <= HWY_AVX3  // masks have registers of their own
-    count_ = hn::IfThenElse(hn::RebindMask(Integers(), mask), hn::Add(count_, all_of(1)), count_);
-#else  // a set lane is all ones, which is -1
-    count_ = hn::Sub(count_, hn::BitCast(Integers(), hn::VecFromMask(Floats(), mask)));
-#endif
-  }
-  HWY_INLINE std::size_t total() const { return hn::GetLane(hn::SumOfLanes(Integers(), count_)); }
-
- private:
-  Integer count_;
-};
 
 }  // namespace
 }  // namespace HWY_NAMESPACE

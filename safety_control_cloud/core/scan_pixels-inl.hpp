@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a run has left in the pixels' memory; part of scan_simd.cpp, compiled once for every instruction set.
+// How a run is brought into the pixels' memory; part of scan_simd.cpp, compiled once for every instruction set.
 #if defined(SAFETY_CONTROL_CLOUD_SCAN_PIXELS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SAFETY_CONTROL_CLOUD_SCAN_PIXELS_INL
 #undef SAFETY_CONTROL_CLOUD_SCAN_PIXELS_INL
@@ -7,94 +7,96 @@
 #define SAFETY_CONTROL_CLOUD_SCAN_PIXELS_INL
 #endif
 
-#include <hwy/cache_control.h>
-#include <hwy/highway.h>
-
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include "pixel_memory.hpp"
-#include "runs.hpp"
-#include "scan.hpp"
+#include "scan_depths-inl.hpp"
+#include "scan_tally-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace safety_control_cloud {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Codes = hn::CappedTag<std::uint16_t, 16>;  // Highway 1.0 cannot reduce longer ones
-using Code = hn::Vec<Codes>;
-
-constexpr std::size_t codes = hn::MaxLanes(Codes());
-
-/// How many lanes were set in all masks; at most 65535 altogether.
-class CodeTally {
+/// The pixels of a run in one row while it is scanned: brings them up to date, and does what PixelMemory::note() does.
+class Pixels {
  public:
-  HWY_INLINE CodeTally() : count_(hn::Zero(Codes())) {}
+  HWY_INLINE Pixels() {}  // a defaulted one would not be compiled for the instruction set
 
-  HWY_INLINE void add(hn::Mask<Codes> mask) {
-#if HWY_TARGET <= HWY_AVX3  // masks have registers of their own
-    count_ = hn::IfThenElse(mask, hn::Add(count_, hn::Set(Codes(), 1)), count_);
-#else  // a set lane is all ones, which is -1
-    count_ = hn::Sub(count_, hn::VecFromMask(Codes(), mask));
-#endif
+  HWY_INLINE void start_run(std::uint16_t* pixels, std::uint16_t* nearest_now) {
+    nearest_lost_ = hn::Set(Codes(), PixelMemory::none);
+    now_ = lost_ = Tally<Codes>();
+    move_to(pixels, nearest_now);
   }
-  HWY_INLINE std::size_t total() const { return hn::GetLane(hn::SumOfLanes(Codes(), count_)); }
+  HWY_INLINE void move_to(std::uint16_t* pixels, std::uint16_t* nearest_now) {
+    pixels_ = pixels;
+    nearest_now_ = nearest_now;
+  }
+
+  /// What `codes` pixels are to remember of the cloud, with the flag `now`; 0 where they return nothing.
+  HWY_INLINE void take(Code seen, std::size_t column) {
+    const Codes tag;
+    const Code flag = hn::Set(tag, PixelMemory::now);
+    const Code kept = hn::AndNot(flag, hn::LoadU(tag, pixels_ + column));
+    const Code pixel = hn::Max(seen, kept), flipped = hn::Xor(pixel, flag);  // `now` is more
+    hn::StoreU(pixel, tag, pixels_ + column);
+    hn::StoreU(hn::Min(hn::LoadU(tag, nearest_now_ + column), flipped), tag, nearest_now_ + column);
+    nearest_lost_ = hn::Min(nearest_lost_, pixel);
+    now_.add(is_near(pixel));
+    lost_.add(is_near(flipped));
+  }
+
+  HWY_INLINE void note(NearPixels& near, std::size_t row) const {
+    const std::uint16_t least = least_of(nearest_lost_);
+    if (PixelMemory::is_near(least)) near.nearest_lost[row] = std::min(near.nearest_lost[row], least);
+    near.now += now_.total();
+    near.lost += lost_.total();
+  }
 
  private:
-  Code count_;
+  /// Of codes whose top bit has been flipped. Every instruction set compares signed numbers, and not all others.
+  static HWY_INLINE hn::Mask<Codes> is_near(Code flipped) {
+    const SignedCodes tag;
+    return hn::RebindMask(Codes(),
+                          hn::Lt(hn::BitCast(tag, flipped), hn::Set(tag, PixelMemory::ground_zero - PixelMemory::now)));
+  }
+
+  std::uint16_t* pixels_;
+  std::uint16_t* nearest_now_;
+  Code nearest_lost_;
+  Tally<Codes> now_, lost_;  // of a run, which 16 bits can count
 };
 
-/// What the pixels of a run are to remember of a cloud, with the flag `now`; 0 where they return nothing. A vector is
-/// stored whole, wherever its last point ends.
-using SeenPixels = std::array<std::uint16_t, Runs::longest + Inside::longest_vector>;
+/// The end of a row that does not fill a vector, in one.
+struct RowEnd {
+  HWY_ALIGN std::uint16_t pixels[codes], nearest_now[codes];
 
-/// Asks for the memory of a run's pixels, so that it has come when the run has been scanned.
-HWY_INLINE void fetch_pixels(const Run& run, const PixelMemory& memory) {
-  constexpr std::size_t cache_line = 64 / sizeof(std::uint16_t);
-  const std::uint16_t* pixels = memory.pixels.data() + run.first;
-  for (std::size_t i = 0; i < width_of(run.points); i += cache_line) hwy::Prefetch(pixels + i);
-}
-
-/// Brings a piece of a row up to date, and PixelMemory::note().
-HWY_NOINLINE void remember_piece(const std::uint16_t* seen, PixelMemory& memory, std::size_t row, std::size_t column,
-                                 std::size_t size) {
-  const Codes tag;
-  const Code near_end = hn::Set(tag, PixelMemory::ground_zero), flag = hn::Set(tag, PixelMemory::now);
-  std::uint16_t* pixels = memory.row(row) + column;
-  std::uint16_t* nearest_now = memory.near.nearest_now.data() + column;
-  Code nearest_lost = hn::Set(tag, PixelMemory::none);
-  CodeTally now, lost;
-  std::size_t i = 0;
-  for (; i + codes <= size; i += codes) {
-    const Code kept = hn::AndNot(flag, hn::LoadU(tag, pixels + i));
-    const Code pixel = hn::Max(hn::LoadU(tag, seen + i), kept), flipped = hn::Xor(pixel, flag);  // `now` is more
-    hn::StoreU(pixel, tag, pixels + i);
-    hn::StoreU(hn::Min(hn::LoadU(tag, nearest_now + i), flipped), tag, nearest_now + i);
-    nearest_lost = hn::Min(nearest_lost, pixel);
-    now.add(hn::Lt(flipped, near_end));
-    lost.add(hn::Lt(pixel, near_end));
+  RowEnd(const std::uint16_t* some_pixels, const std::uint16_t* some_nearest, std::size_t size) {
+    std::fill(std::copy_n(some_pixels, size, pixels), pixels + codes, PixelMemory::nothing);
+    std::fill(std::copy_n(some_nearest, size, nearest_now), nearest_now + codes, PixelMemory::none);
   }
-  std::uint16_t& nearest_lost_in_row = memory.near.nearest_lost[row];
-  nearest_lost_in_row = std::min(nearest_lost_in_row, hn::GetLane(hn::MinOfLanes(tag, nearest_lost)));
-  memory.near.now += now.total();
-  memory.near.lost += lost.total();
-  for (std::size_t rest = i; rest < size; ++rest) {
-    pixels[rest] = std::max(seen[rest], PixelMemory::code_of(pixels[rest]));
-  }
-  memory.note(row, column + i, size - i);
-}
+};
 
-void remember_pixels(const Run& run, const SeenPixels& seen, PixelMemory& memory) {
-  const std::uint16_t* piece = seen.data();
-  memory.for_each_piece(run.first, width_of(run.points), [&](std::size_t row, std::size_t column, std::size_t size) {
-    remember_piece(piece, memory, row, column, size);
-    piece += size;
-  });
+/// visit_run() for a run in one row, with the visitor's `pixels` on those of the run.
+template <class Visitor>
+void visit_pixels(const Run& run, PixelMemory& memory, Visitor& visitor) {
+  const std::size_t row = run.first / memory.width, column = run.first % memory.width;
+  std::uint16_t *pixels = memory.row(row) + column, *nearest_now = memory.near.nearest_now.data() + column;
+  visitor.pixels.start_run(pixels, nearest_now);
+  const std::size_t width = width_of(run.points), rest = width % codes, whole = width - rest;
+  if (rest == 0) {
+    visit_run(run, visitor);
+  } else {
+    if (whole > 0) visit_run(part_of(run, 0, whole), visitor);
+    RowEnd end(pixels + whole, nearest_now + whole, rest);
+    visitor.pixels.move_to(end.pixels, end.nearest_now);
+    visit_run(part_of(run, whole, rest), visitor);
+    std::copy_n(end.pixels, rest, pixels + whole);
+    std::copy_n(end.nearest_now, rest, nearest_now + whole);
+  }
+  visitor.pixels.note(memory.near, row);
 }
 
 }  // namespace

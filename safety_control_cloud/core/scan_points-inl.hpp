@@ -117,11 +117,11 @@ HWY_INLINE hn::Vec<Bytes> order_in(const CloudView& view, std::size_t lowest) {
 /// Copies of points, for layouts without a faster way and for the end of a cloud.
 struct Copied {
   static constexpr std::size_t longest = 64;
-  static_assert(longest % lanes == 0);
+  static_assert(longest % (2 * lanes) == 0);  // visitors take one or two vectors at once
 
   HWY_ALIGN float x[longest], y[longest], z[longest];
 
-  /// Of at most `longest` points. The last vector is filled up with NaN, which is nothing.
+  /// Of at most `longest` points. The last vectors are filled up with NaN, which is nothing.
   explicit Copied(const View& few) {
     std::size_t at = 0;
     for_each_point(few, [&](float px, float py, float pz) {
@@ -129,7 +129,7 @@ struct Copied {
       y[at] = py;
       z[at++] = pz;
     });
-    for (; at % lanes != 0; ++at) x[at] = y[at] = z[at] = std::numeric_limits<float>::quiet_NaN();
+    for (; at % (2 * lanes) != 0; ++at) x[at] = y[at] = z[at] = std::numeric_limits<float>::quiet_NaN();
   }
 
   HWY_INLINE Points at(std::size_t column) const {
@@ -139,13 +139,12 @@ struct Copied {
 };
 
 /// Lets the visitor take `size` points, which stand `shift` columns into the run, and NaN to the end of a vector that
-/// they do not fill, as in Copied. A function of its own, so that the
-/// compiler keeps what the visitor counts in registers.
+/// they do not fill, as in Copied. A function of its own, so that the compiler keeps what the visitor counts in
+/// registers.
 template <class Source, class Visitor>
 HWY_NOINLINE void visit_points(const Source& points, std::size_t size, std::size_t shift, Visitor& visitor) {
   Visitor local = visitor;
-  std::size_t column = 0;
-  for (; column < size; column += lanes) local.take(points.at(column), shift + column);
+  for (std::size_t column = 0; column < size; column += Visitor::at_once) local.take(points, column, shift + column);
   visitor = local;
 }
 
@@ -169,7 +168,7 @@ void visit(const CloudView& points, [[maybe_unused]] bool followed, Visitor& vis
   const bool near = points.point_step >= 3 * sizeof(float) && end - lowest <= block_size;
   if (near && points.scalar == Scalar::Float32 && !points.swapped) {
     // The last point of the cloud must be copied: its block may end beyond the data.
-    visited = (points.width - (followed ? 0 : 1)) / lanes * lanes;
+    visited = (points.width - (followed ? 0 : 1)) / Visitor::at_once * Visitor::at_once;
     const std::uint8_t* first = points.bytes + lowest;
     if (plain && points.point_step == 12) {
       visit_points(Packed{first}, visited, 0, visitor);

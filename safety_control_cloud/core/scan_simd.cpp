@@ -14,7 +14,6 @@
 // clang-format off
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-#include "scan_found-inl.hpp"
 #include "scan_pixels-inl.hpp"
 // clang-format on
 
@@ -28,60 +27,74 @@ static_assert(lanes <= Inside::longest_vector);
 /// Counts, and finds the nearest.
 template <class Placing>
 struct Counting {
+  static constexpr std::size_t at_once = lanes;
+
   Walls walls;
   Placing place;
-  Tally returns, inside;
+  Tally<Integers> returns, inside;
   Float nearest;
   Float lowest;  ///< -inf if a point may be too close
 
-  HWY_INLINE Counting(const Corridor& corridor, const Gaze& gaze)
-      : walls(corridor), place(gaze), nearest(all(infinity)), lowest(nearest) {}
+  HWY_INLINE Counting(const Corridor& corridor, const Gaze& gaze) : walls(corridor), place(gaze) { start_run(); }
 
-  HWY_INLINE void take(const Points& points, std::size_t) { note(points, place(points), is_return(points, walls)); }
+  HWY_INLINE void start_run() { nearest = lowest = all(infinity); }
 
-  HWY_INLINE void note(const Points& points, const Points& placed, Mask returning) {
-    const Mask in_corridor = place.inside(placed, walls, returning);
-    returns.add(returning);
-    inside.add(in_corridor);
-    nearest = hn::IfThenElse(in_corridor, hn::Min(nearest, placed.z), nearest);
+  template <class Source>
+  HWY_INLINE void take(const Source& points, std::size_t column, std::size_t) {
+    note(points.at(column));
+  }
+
+  HWY_INLINE Found note(const Points& points) {
+    const Found found(points, walls, place);
+    returns.add(hn::RebindMask(Integers(), found.returning));
+    inside.add(hn::RebindMask(Integers(), found.inside));
+    nearest = hn::IfThenElse(found.inside, hn::Min(nearest, found.placed.z), nearest);
     lowest = hn::Min(points.z, lowest);  // of two operands, x86 drops a NaN only if it is the first
+    return found;
   }
 };
 
-/// Counts, and writes down what the pixels are to remember.
+/// Counts, and brings the pixels up to date.
 template <class Placing>
 struct Remembering : Counting<Placing> {
+  static constexpr std::size_t at_once = codes;
+
   Float near_distance;
-  std::uint16_t* seen;
+  Pixels pixels;
 
-  HWY_INLINE Remembering(const Corridor& corridor, const Gaze& gaze, SeenPixels& pixels)
-      : Counting<Placing>(corridor, gaze), near_distance(all(gaze.memory->distance)), seen(pixels.data()) {}
+  HWY_INLINE Remembering(const Corridor& corridor, const Gaze& gaze)
+      : Counting<Placing>(corridor, gaze), near_distance(all(gaze.memory->distance)) {}
 
-  HWY_INLINE void take(const Points& points, std::size_t column) {
-    const Points placed = this->place(points);
-    const Mask returning = is_return(points, this->walls);
-    this->note(points, placed, returning);
-
-    const hn::Rebind<std::uint16_t, Floats> halves;
-    hn::Store(hn::TruncateTo(halves, remembered(placed, this->walls, near_distance, returning)), halves, seen + column);
+  template <class Source>
+  HWY_INLINE void take(const Source& points, std::size_t column, std::size_t pixel) {
+    const auto first = remembered(this->note(points.at(column)), near_distance);
+    const auto second = lanes == codes ? first : remembered(this->note(points.at(column + lanes)), near_distance);
+    pixels.take(codes_of(first, second), pixel);
   }
 };
 
 /// Counts the points that are too close. Most clouds have none, and are spared this.
 struct CountingTooClose {
+  static constexpr std::size_t at_once = lanes;
+
   Walls walls;
   bool anywhere;
-  Tally too_close;
+  Tally<Integers> too_close;
 
   HWY_INLINE CountingTooClose(const Corridor& corridor, const Gaze& gaze)
       : walls(corridor), anywhere(gaze.placement != nullptr) {}
 
-  HWY_INLINE void take(const Points& points, std::size_t) { too_close.add(is_too_close(points, walls, anywhere)); }
+  template <class Source>
+  HWY_INLINE void take(const Source& points, std::size_t column, std::size_t) {
+    too_close.add(hn::RebindMask(Integers(), is_too_close(points.at(column), walls, anywhere)));
+  }
 };
 
 /// Lists the columns inside.
 template <class Placing>
 struct Listing {
+  static constexpr std::size_t at_once = lanes;
+
   Walls walls;
   Placing place;
   Inside* found;
@@ -89,8 +102,9 @@ struct Listing {
   HWY_INLINE Listing(const Corridor& corridor, const Gaze& gaze, Inside& inside)
       : walls(corridor), place(gaze), found(&inside) {}
 
-  HWY_INLINE void take(const Points& points, std::size_t column) {
-    const Mask inside = place.inside(place(points), walls, is_return(points, walls));
+  template <class Source>
+  HWY_INLINE void take(const Source& points, std::size_t from, std::size_t column) {
+    const Mask inside = Found(points.at(from), walls, place).inside;
     const Integer columns = hn::Iota(Integers(), static_cast<std::uint32_t>(column));
     std::uint32_t* end = found->columns.data() + found->size;
     found->size += hn::CompressStore(columns, hn::RebindMask(Integers(), inside), Integers(), end);
@@ -103,40 +117,45 @@ std::size_t too_close_in(const Run& run, const Corridor& corridor, const Gaze& g
   return counting.too_close.total();
 }
 
-/// Counts the points of a run.
-template <class Visitor>
-Counts scan_run(const Run& run, const Visitor& fresh, const Corridor& corridor, const Gaze& gaze, float& nearest) {
-  Visitor visitor = fresh;
-  visit_run(run, visitor);
-  nearest = hn::GetLane(hn::MinOfLanes(Floats(), visitor.nearest));
-  const bool any_too_close = hn::GetLane(hn::MinOfLanes(Floats(), visitor.lowest)) == -infinity;
-  return {visitor.returns.total(), visitor.inside.total(), any_too_close ? too_close_in(run, corridor, gaze) : 0};
+/// Starts with the next run.
+template <class Placing>
+void scan_run(const Run& run, Counting<Placing>& counting, PixelMemory*) {
+  counting.start_run();
+  visit_run(run, counting);
 }
 
 template <class Placing>
+void scan_run(const Run& run, Remembering<Placing>& remembering, PixelMemory* memory) {
+  remembering.start_run();
+  visit_pixels(run, *memory, remembering);
+}
+
+template <class Visitor>
 Counts scan_with(const Runs& runs, std::size_t begin, std::size_t end, const Corridor& corridor, const Gaze& gaze,
                  float* nearest) {
-  Counts counts;
-  if (!gaze.memory) {
-    const Counting<Placing> fresh(corridor, gaze);
-    for (std::size_t i = begin; i < end; ++i) counts += scan_run(runs[i], fresh, corridor, gaze, nearest[i]);
-    return counts;
-  }
-  HWY_ALIGN SeenPixels seen;
-  const Remembering<Placing> fresh(corridor, gaze, seen);
+  Visitor visitor(corridor, gaze);
+  std::size_t too_close = 0;
   for (std::size_t i = begin; i < end; ++i) {
     const Run run = runs[i];
-    fetch_pixels(run, *gaze.memory);
-    counts += scan_run(run, fresh, corridor, gaze, nearest[i]);
-    remember_pixels(run, seen, *gaze.memory);
+    scan_run(run, visitor, gaze.memory);
+    nearest[i] = hn::GetLane(hn::MinOfLanes(Floats(), visitor.nearest));
+    const bool any_too_close = hn::GetLane(hn::MinOfLanes(Floats(), visitor.lowest)) == -infinity;
+    if (any_too_close) too_close += too_close_in(run, corridor, gaze);
   }
-  return counts;
+  return {visitor.returns.total(), visitor.inside.total(), too_close};
+}
+
+template <class Placing>
+Counts scan_placing(const Runs& runs, std::size_t begin, std::size_t end, const Corridor& corridor, const Gaze& gaze,
+                    float* nearest) {
+  return gaze.memory ? scan_with<Remembering<Placing>>(runs, begin, end, corridor, gaze, nearest)
+                     : scan_with<Counting<Placing>>(runs, begin, end, corridor, gaze, nearest);
 }
 
 Counts scan(const Runs& runs, std::size_t begin, std::size_t end, const Corridor& corridor, const Gaze& gaze,
             float* nearest) {
-  return gaze.placement ? scan_with<Placed>(runs, begin, end, corridor, gaze, nearest)
-                        : scan_with<Unplaced>(runs, begin, end, corridor, gaze, nearest);
+  return gaze.placement ? scan_placing<Placed>(runs, begin, end, corridor, gaze, nearest)
+                        : scan_placing<Unplaced>(runs, begin, end, corridor, gaze, nearest);
 }
 
 template <class Placing>
