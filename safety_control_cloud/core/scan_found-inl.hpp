@@ -99,14 +99,15 @@ HWY_INLINE Mask is_too_close(const Points& points, const Walls& walls, bool anyw
 /// Points, in the corridor's axes, and which of them are what. Those in sight are inside or below the corridor.
 struct Found {
   Points placed;
-  Mask returning, in_sight, inside;
+  Mask returning, in_sight, not_below, inside;
 
   template <class Placing>
   HWY_INLINE Found(const Points& points, const Walls& walls, const Placing& place) : placed(place(points)) {
     returning = is_return(points, walls);
     const Mask ahead = hn::And(returning, place.ahead(placed));
     in_sight = hn::And(ahead, hn::And(walls.span(placed), hn::Ge(placed.y, walls.y_min)));
-    inside = hn::And(in_sight, hn::Le(placed.y, walls.y_max));
+    not_below = hn::Le(placed.y, walls.y_max);
+    inside = hn::And(in_sight, not_below);
   }
 };
 
@@ -121,7 +122,7 @@ HWY_INLINE hn::Vec<Signed> remembered(const Found& found, Float near_distance) {
   const Float ground =
       hn::Add(hn::Mul(below, all(PixelMemory::ground_per_metre)), all(two_to_23 + PixelMemory::ground_zero));
   const Float ahead = hn::Add(hn::Mul(z, all(PixelMemory::near_per_metre)), all(two_to_23));
-  const Float code = hn::IfThenElse(found.inside, ahead, ground);
+  const Float code = hn::IfThenElse(found.not_below, ahead, ground);
   const Float elsewhere = all(two_to_23 + PixelMemory::elsewhere);
   const Float seen = hn::IfThenElse(hn::And(found.in_sight, hn::Lt(z, near_distance)), code, elsewhere);
   const auto flagged = hn::Sub(hn::BitCast(Signed(), seen), hn::Set(Signed(), bits_of_it + PixelMemory::now));
