@@ -41,8 +41,10 @@ struct Walls {
 
 HWY_INLINE Mask is_return(const Points& points, const Walls& walls) {
   // Zero times a finite number changes nothing, zero times any other is NaN.
-  const Float z_if_finite = hn::MulAdd(points.x, all(0.0f), hn::MulAdd(points.y, all(0.0f), points.z));
-  return hn::And(hn::Gt(z_if_finite, walls.range_min), hn::Lt(z_if_finite, all(infinity)));
+  const Float zero = all(0.0f);
+  const Float z_if_finite =
+      hn::MulAdd(points.x, zero, hn::MulAdd(points.y, zero, hn::MulAdd(points.z, zero, points.z)));
+  return hn::Gt(z_if_finite, walls.range_min);
 }
 
 /// The cloud's frame is the corridor's.
