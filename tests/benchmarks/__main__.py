@@ -37,6 +37,8 @@ MEANINGS = {
     "node_faults_per_cloud": "minor page faults of our node",
     "nodelet_latency_ms": "cloud to Twist inside one process [ms]",
     "depth_cpu_vs_chain": "CPU an image, our node / depth_image_proc and our node",
+    "depth_floor_cpu_vs_chain": "the same of a node that only answers the image",
+    "depth_cpu_vs_floor": "CPU an image, our node / one that only answers",
     "cameras_cpu_growth": "CPU a cloud with 2 and 4 cameras and nodes / with one",
 }
 EPILOG = """\

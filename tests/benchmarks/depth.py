@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Depth images: taken by our node as they are, and made clouds by depth_image_proc before."""
+"""Depth images: taken by our node as they are, made clouds by depth_image_proc before, or only answered."""
 from typing import Callable, Dict, List
 
 import nodes
@@ -7,7 +7,7 @@ from nodes import Case, Table
 from repetitions import Plan, worst_and_median
 from rich.table import Table as RichTable
 
-SIDES = ("depth", "chain")
+SIDES = ("depth", "depth_floor", "chain")
 
 
 def cases(plan: Plan) -> List[Case]:
@@ -20,8 +20,14 @@ def measure(plan: Plan, done: Callable[[], None]) -> Table:
 
 
 def figures(table: Table) -> Dict[str, Dict[str, float]]:
-    shares = [by["depth"].cpu_ms.median / by["chain"].cpu_ms.median for by in table.values()]
-    return {"depth_cpu_vs_chain": worst_and_median(shares)}
+    def share(side: str, of: str) -> Dict[str, float]:
+        return worst_and_median(by[side].cpu_ms.median / by[of].cpu_ms.median for by in table.values())
+
+    return {
+        "depth_cpu_vs_chain": share("depth", "chain"),
+        "depth_floor_cpu_vs_chain": share("depth_floor", "chain"),
+        "depth_cpu_vs_floor": share("depth", "depth_floor"),
+    }
 
 
 def table_of(table: Table) -> RichTable:

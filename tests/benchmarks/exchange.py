@@ -57,7 +57,7 @@ class Exchange:
 
 def exchanges(target: str, stream: Stream, clouds: int, pairs: int = 1) -> List[Exchange]:
     """So many cameras, each with a node of its own, all at once. Needs a master: ros_session.roscore()."""
-    program = "depth_camera" if target in ("depth", "chain") else "cloud_camera"
+    program = "depth_camera" if target in ("depth", "chain", "depth_floor") else "cloud_camera"
     with ExitStack() as stack:
         running = []
         for place in (f"__ns:=/robot_{number}" for number in range(pairs)):
@@ -72,6 +72,8 @@ def commands_of(target: str) -> List[List[str]]:
     """What takes the clouds or images and answers."""
     if target in ("tutorial", "floor"):
         return [[str(PROGRAMS / f"{target}_node")]]
+    if target == "depth_floor":
+        return [[str(PROGRAMS / "floor_node"), "depth"]]
     # All said each time: the master keeps what the last node of this name was given.
     method, taken = ("pcl" if target == "ours_pcl" else "one_pass"), ("depth" if target == "depth" else "cloud")
     said = [f"_method:={method}", f"_input:={taken}"]

@@ -1,49 +1,73 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The least that a node in a process of its own can do: receives the cloud, looks at nothing, answers with a Twist.
+// With the argument `depth`: a depth image, and the CameraInfo that comes with each.
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/Image.h>
 #include <sensor_msgs/PointCloud2.h>
+
+#include <functional>
+#include <string>
+#include <vector>
 
 #include "../../safety_control_cloud/ros/receive_memory.hpp"
 
 namespace {
 
-/// A PointCloud2 to its publisher; here its bytes stay in the buffer that they arrived in.
-struct UnreadCloud {};
+/// A Message to its publisher; here its bytes stay in the buffer that they arrived in.
+template <class Message>
+struct Unread {};
 
 }  // namespace
 
 namespace ros {
 namespace message_traits {
 
-template <>
-struct MD5Sum<UnreadCloud> : MD5Sum<sensor_msgs::PointCloud2> {};
-template <>
-struct DataType<UnreadCloud> : DataType<sensor_msgs::PointCloud2> {};
-template <>
-struct Definition<UnreadCloud> : Definition<sensor_msgs::PointCloud2> {};
+template <class Message>
+struct MD5Sum<Unread<Message>> : MD5Sum<Message> {};
+template <class Message>
+struct DataType<Unread<Message>> : DataType<Message> {};
+template <class Message>
+struct Definition<Unread<Message>> : Definition<Message> {};
 
 }  // namespace message_traits
 
 namespace serialization {
 
-template <>
-struct Serializer<UnreadCloud> {
-  static void read(IStream& stream, UnreadCloud&) { stream.advance(stream.getLength()); }
+template <class Message>
+struct Serializer<Unread<Message>> {
+  static void read(IStream& stream, Unread<Message>&) { stream.advance(stream.getLength()); }
 };
 
 }  // namespace serialization
 }  // namespace ros
+
+namespace {
+
+template <class Message>
+ros::Subscriber hear(ros::NodeHandle& handle, const std::string& topic, const std::function<void()>& answer) {
+  const boost::function<void(const boost::shared_ptr<const Unread<Message>>&)> on_message = [=](const auto&) {
+    answer();
+  };
+  const auto hints = ros::TransportHints().tcpNoDelay();
+  return handle.subscribe<Unread<Message>>(topic, 1, on_message, ros::VoidConstPtr(), hints);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   safety_control_cloud::keep_memory_for_reuse();
   ros::init(argc, argv, "floor_node");
   ros::NodeHandle handle;
   const auto command = handle.advertise<geometry_msgs::Twist>("cmd_vel_mux/input/teleop", 1);
-  const boost::function<void(const boost::shared_ptr<const UnreadCloud>&)> on_cloud = [&](const auto&) {
-    command.publish(geometry_msgs::Twist());
-  };
-  const auto hints = ros::TransportHints().tcpNoDelay();
-  const auto clouds = handle.subscribe<UnreadCloud>("camera/depth/points", 1, on_cloud, ros::VoidConstPtr(), hints);
+  const auto answer = [&] { command.publish(geometry_msgs::Twist()); };
+  std::vector<ros::Subscriber> inputs;
+  if (argc == 2 && argv[1] == std::string("depth")) {
+    inputs.push_back(hear<sensor_msgs::CameraInfo>(handle, "camera/depth/camera_info", [] {}));
+    inputs.push_back(hear<sensor_msgs::Image>(handle, "camera/depth/image_rect", answer));
+  } else {
+    inputs.push_back(hear<sensor_msgs::PointCloud2>(handle, "camera/depth/points", answer));
+  }
   ros::spin();
 }

@@ -31,7 +31,10 @@ def master():
 
 @pytest.mark.parametrize(
     "side, speed",
-    [*((side, 0.1) for side in ("ours", "ours_pcl", "tutorial", "nodelet", "depth", "chain")), ("floor", 0.0)],
+    [
+        *((side, 0.1) for side in ("ours", "ours_pcl", "tutorial", "nodelet", "depth", "chain")),
+        *((side, 0.0) for side in ("floor", "depth_floor")),
+    ],
 )
 def test_every_cloud_gets_exactly_one_answer_and_the_right_one(master, side, speed):
     met = nodes.exchange(exchange.QVGA, side, CLOUDS)
