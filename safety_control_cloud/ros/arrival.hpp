@@ -30,12 +30,14 @@ Reading readable(Read read) {
 }
 
 using OnArrival = std::function<void(const Arrival&)>;
-using Subscribe = ros::Subscriber(ros::NodeHandle& handle, const std::string& topic, const OnArrival& on_arrival);
 
-/// Clouds of other processes, looked at in the buffer that they were received in: no message is ever built.
-Subscribe subscribe_in_place;
+/// How messages are taken.
+enum class Delivery {
+  InPlace,  ///< looked at in the buffer that they were received in, from another process: no message is ever built
+  Shared,   ///< of this process, as a pointer to the publisher's message; those of other processes are copied
+};
 
-/// Clouds of this process, which come as a pointer to the publisher's message; those of other processes are copied.
-Subscribe subscribe_shared;
+ros::Subscriber subscribe_clouds(ros::NodeHandle& handle, const std::string& topic, Delivery delivery,
+                                 const OnArrival& on_arrival);
 
 }  // namespace safety_control_cloud

@@ -5,15 +5,15 @@
 
 #include <utility>
 
-#include "messages.hpp"
+#include "received.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
 constexpr std::uint32_t latest_only = 1;
-constexpr std::uint32_t waiting = 5;    ///< images or CameraInfos that are held until the other one comes
 constexpr std::size_t many = 10;        ///< images alone; a few come before the first CameraInfo
 constexpr double warning_period = 5.0;  ///< [s]
+constexpr char as_it_is[] = "raw";      ///< image_transport's name for an image that it leaves alone
 
 /// CameraInfo's own definition names the topics so: image_raw from the driver, image_rect once it is rectified. Nothing
 /// in the messages themselves tells, as both come with the CameraInfo of the raw one.
@@ -22,28 +22,50 @@ bool is_rectified(const std::string& topic) { return topic.find("_rect", topic.r
 }  // namespace
 
 DepthInput::DepthInput(ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& topic,
-                       OnArrival on_arrival)
-    : on_arrival_(std::move(on_arrival)), topic_(handle.resolveName(topic)), transport_(handle), pairs_(waiting) {
-  const auto hints = ros::TransportHints().tcpNoDelay();
-  images_.registerCallback(&DepthInput::on_image, this);
-  pairs_.connectInput(images_, cameras_);
-  pairs_.registerCallback(&DepthInput::on_pair, this);
-  cameras_.subscribe(handle, image_transport::getCameraInfoTopic(topic_), latest_only, hints);
-  images_.subscribe(transport_, topic, latest_only, image_transport::TransportHints("raw", hints, private_handle));
+                       Delivery delivery, OnArrival on_arrival)
+    : on_arrival_(std::move(on_arrival)),
+      topic_(handle.resolveName(topic)),
+      pairs_([this](const DepthImage& image, const CameraEvent& camera) { on_pair(image, camera); }) {
+  const auto at_once = ros::TransportHints().tcpNoDelay();
+  cameras_ = handle.subscribe<sensor_msgs::CameraInfo>(
+      image_transport::getCameraInfoTopic(topic_), DepthPairs::waiting,
+      boost::function<void(const CameraEvent&)>([this](const CameraEvent& camera) { pairs_.add(camera); }), nullptr,
+      at_once);
+  const image_transport::TransportHints hints(as_it_is, at_once, private_handle);
+  const bool in_place = delivery == Delivery::InPlace && hints.getTransport() == as_it_is;
+  in_place ? take_in_place(handle, topic) : take_by_transport(handle, topic, hints);
 }
 
-void DepthInput::on_image(const Image::ConstPtr&) {
-  if (++images_alone_ <= many) return;
-  ROS_WARN_THROTTLE(warning_period, "images arrive on %s, and no CameraInfo with their stamps on %s", topic_.c_str(),
-                    cameras_.getTopic().c_str());
+void DepthInput::take_in_place(ros::NodeHandle& handle, const std::string& topic) {
+  received_ = subscribe_received<sensor_msgs::Image>(handle, topic, [this](auto& message, const std::string& source) {
+    DepthImage image = image_in(message);
+    image.source = source;
+    on_image(image);
+  });
 }
 
-void DepthInput::on_pair(const ros::MessageEvent<const Image>& image,
-                         const ros::MessageEvent<const CameraInfo>& camera) {
+/// It does not tell who sent.
+void DepthInput::take_by_transport(ros::NodeHandle& handle, const std::string& topic,
+                                   const image_transport::TransportHints& hints) {
+  const auto take = [this](const sensor_msgs::Image::ConstPtr& message) { on_image(image_in(message)); };
+  transport_.emplace(handle);
+  transported_ = transport_->subscribe(topic, latest_only, take, nullptr, hints);
+}
+
+void DepthInput::on_image(const DepthImage& image) {
+  if (!image.problem.empty()) return on_arrival_(Arrival{image.header, Unreadable{image.problem}, image.source});
+  if (++images_alone_ > many) {
+    ROS_WARN_THROTTLE(warning_period, "images arrive on %s, and no CameraInfo with their stamps on %s", topic_.c_str(),
+                      cameras_.getTopic().c_str());
+  }
+  pairs_.add(image);
+}
+
+void DepthInput::on_pair(const DepthImage& image, const CameraEvent& camera) {
   images_alone_ = 0;
-  const Image& depths = *image.getConstMessage();
-  const auto read = [&] { return view_of(depths, *camera.getConstMessage(), is_rectified(topic_)); };
-  on_arrival_(Arrival{depths.header, readable(read), camera.getPublisherName()});
+  const std::string source = image.source.empty() ? camera.getPublisherName() : image.source;
+  const auto read = [&] { return view_of(image, *camera.getConstMessage(), is_rectified(topic_)); };
+  on_arrival_(Arrival{image.header, readable(read), source});
 }
 
 }  // namespace safety_control_cloud

@@ -1,39 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <image_transport/subscriber_filter.h>
-#include <message_filters/subscriber.h>
-#include <message_filters/time_synchronizer.h>
-#include <sensor_msgs/CameraInfo.h>
-#include <sensor_msgs/Image.h>
+#include <image_transport/image_transport.h>
 
+#include <optional>
 #include <string>
 
 #include "arrival.hpp"
+#include "depth_pairs.hpp"
 
 namespace safety_control_cloud {
 
 /// Depth images, over any image_transport, each with the CameraInfo of its stamp from the topic `camera_info` beside
-/// theirs: image_transport's CameraSubscriber, but one that knows who sent. An image without its CameraInfo is no
-/// measurement and arrives nowhere; a warning says so.
+/// theirs. An image without its CameraInfo is no measurement and arrives nowhere; a warning says so.
 class DepthInput {
  public:
   DepthInput(ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& topic,
-             OnArrival on_arrival);
+             Delivery delivery, OnArrival on_arrival);
 
  private:
-  using Image = sensor_msgs::Image;
-  using CameraInfo = sensor_msgs::CameraInfo;
-
-  void on_image(const Image::ConstPtr&);
-  void on_pair(const ros::MessageEvent<const Image>& image, const ros::MessageEvent<const CameraInfo>& camera);
+  void take_in_place(ros::NodeHandle& handle, const std::string& topic);
+  void take_by_transport(ros::NodeHandle& handle, const std::string& topic,
+                         const image_transport::TransportHints& hints);
+  void on_image(const DepthImage& image);
+  void on_pair(const DepthImage& image, const CameraEvent& camera);
 
   OnArrival on_arrival_;
   std::string topic_;  ///< without the transport's own name
-  image_transport::ImageTransport transport_;
-  image_transport::SubscriberFilter images_;
-  message_filters::Subscriber<CameraInfo> cameras_;
-  message_filters::TimeSynchronizer<Image, CameraInfo> pairs_;
+  DepthPairs pairs_;
+  ros::Subscriber cameras_, received_;
+  std::optional<image_transport::ImageTransport> transport_;  ///< with its subscriber, in place of received_
+  image_transport::Subscriber transported_;
   std::size_t images_alone_ = 0;  ///< since the latest pair
 };
 

@@ -34,7 +34,7 @@ void answer_requests_to_end() {
 /// Runs the node until it is asked to end; leaving the scope publishes the zero command.
 void run() {
   using namespace safety_control_cloud;
-  SafetyNode node(ros::NodeHandle(), ros::NodeHandle("~"), subscribe_in_place);
+  SafetyNode node(ros::NodeHandle(), ros::NodeHandle("~"), Delivery::InPlace);
   while (!asked_to_end && ros::ok()) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
 }
 

@@ -3,10 +3,8 @@
 
 #include <pcl_conversions/pcl_conversions.h>
 
-#include <algorithm>
 #include <limits>
 
-#include "../core/depth_layout.hpp"
 #include "frame.hpp"
 
 namespace safety_control_cloud {
@@ -28,19 +26,6 @@ Layout layout_of(const sensor_msgs::PointCloud2& cloud) {
   return layout;
 }
 
-CameraClaims claims_of(const sensor_msgs::CameraInfo& camera) {
-  CameraClaims claims;
-  claims.height = camera.height;
-  claims.width = camera.width;
-  claims.D = camera.D;
-  std::copy(camera.K.begin(), camera.K.end(), claims.K.begin());
-  std::copy(camera.P.begin(), camera.P.end(), claims.P.begin());
-  claims.binning_x = camera.binning_x;
-  claims.binning_y = camera.binning_y;
-  claims.roi = {camera.roi.x_offset, camera.roi.y_offset, camera.roi.height, camera.roi.width};
-  return claims;
-}
-
 double nearest_in(const Decision& decision) {
   if (decision.nearest) return decision.nearest->distance();
   return decision.cause == Cause::Seen ? free_ahead : unknown;
@@ -56,12 +41,6 @@ geometry_msgs::Point nearest_point_in(const Decision& decision, const CorridorFr
 
 Reading view_of(const sensor_msgs::PointCloud2& cloud) {
   return view_of(layout_of(cloud), cloud.data.data(), cloud.data.size());
-}
-
-Reading view_of(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& camera, bool rectified) {
-  const DepthLayout layout{image.height, image.width, image.encoding,   image.is_bigendian != 0,
-                           image.step,   rectified,   claims_of(camera)};
-  return view_of(layout, image.data.data(), image.data.size());
 }
 
 geometry_msgs::Twist to_twist(const Decision& decision) {

@@ -3,8 +3,6 @@
 
 #include <geometry_msgs/Twist.h>
 #include <safety_control_cloud/SafetyState.h>
-#include <sensor_msgs/CameraInfo.h>
-#include <sensor_msgs/Image.h>
 #include <sensor_msgs/PointCloud2.h>
 
 #include "../core/safety_control.hpp"
@@ -13,9 +11,6 @@ namespace safety_control_cloud {
 
 /// The points of a message, borrowed from it, or why they cannot be read.
 Reading view_of(const sensor_msgs::PointCloud2& cloud);
-
-/// The depths of an image, borrowed from it, or why they cannot be read. `rectified` as in DepthLayout.
-Reading view_of(const sensor_msgs::Image& image, const sensor_msgs::CameraInfo& camera, bool rectified);
 
 geometry_msgs::Twist to_twist(const Decision& decision);
 

@@ -12,7 +12,7 @@ namespace safety_control_cloud {
 /// Parameters that are unfit to drive with keep it from loading.
 class SafetyControlNodelet : public nodelet::Nodelet {
   void onInit() override {
-    node_ = std::make_unique<SafetyNode>(getNodeHandle(), getPrivateNodeHandle(), subscribe_shared);
+    node_ = std::make_unique<SafetyNode>(getNodeHandle(), getPrivateNodeHandle(), Delivery::Shared);
   }
 
   std::unique_ptr<SafetyNode> node_;

@@ -37,7 +37,7 @@ const char* advice_for(const Decision& decision, const std_msgs::Header& cloud) 
 
 }  // namespace
 
-SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Subscribe& subscribe)
+SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Delivery delivery)
     : control_(load_settings(private_handle)),
       command_(handle.advertise<geometry_msgs::Twist>("cmd_vel_mux/input/teleop", 1)),
       output_(handle.advertise<sensor_msgs::PointCloud2>("output", 1)),
@@ -53,9 +53,9 @@ SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, S
   quiet_ = handle.createSteadyTimer(ros::WallDuration(1.0), &SafetyNode::on_quiet, this, once, not_yet);
   const OnArrival arrived = [this](const Arrival& arrival) { on_arrival(arrival); };
   if (control_.settings().input == Input::Depth) {
-    depths_ = std::make_unique<DepthInput>(handle, private_handle, "camera/depth/image_rect", arrived);
+    depths_ = std::make_unique<DepthInput>(handle, private_handle, "camera/depth/image_rect", delivery, arrived);
   } else {
-    clouds_ = subscribe(handle, "camera/depth/points", arrived);
+    clouds_ = subscribe_clouds(handle, "camera/depth/points", delivery, arrived);
   }
   publish(control_.without_cloud(now()));
 }

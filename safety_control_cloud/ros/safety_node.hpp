@@ -21,7 +21,7 @@ namespace safety_control_cloud {
 class SafetyNode {
  public:
   /// Throws BadParameters if the private parameters are unfit to drive with.
-  SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Subscribe& subscribe);
+  SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Delivery delivery);
   ~SafetyNode();  ///< the last command is zero
   SafetyNode(const SafetyNode&) = delete;
   SafetyNode& operator=(const SafetyNode&) = delete;
