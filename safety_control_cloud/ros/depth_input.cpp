@@ -25,7 +25,8 @@ DepthInput::DepthInput(ros::NodeHandle& handle, const ros::NodeHandle& private_h
                        Delivery delivery, OnArrival on_arrival)
     : on_arrival_(std::move(on_arrival)),
       topic_(handle.resolveName(topic)),
-      pairs_([this](const DepthImage& image, const CameraEvent& camera) { on_pair(image, camera); }) {
+      pairs_([this](const DepthImage& image, const CameraEvent& camera) { on_pair(image, camera); }),
+      after_cameras_(*handle.getCallbackQueue()) {
   const auto at_once = ros::TransportHints().tcpNoDelay();
   cameras_ = handle.subscribe<sensor_msgs::CameraInfo>(
       image_transport::getCameraInfoTopic(topic_), DepthPairs::waiting,
@@ -36,12 +37,14 @@ DepthInput::DepthInput(ros::NodeHandle& handle, const ros::NodeHandle& private_h
   in_place ? take_in_place(handle, topic) : take_by_transport(handle, topic, hints);
 }
 
+/// The CameraInfo often comes in the moment after its image. If it goes first, the image need not be copied.
 void DepthInput::take_in_place(ros::NodeHandle& handle, const std::string& topic) {
-  received_ = subscribe_received<sensor_msgs::Image>(handle, topic, [this](auto& message, const std::string& source) {
+  const auto take = [this](ros::serialization::IStream& message, const std::string& source) {
     DepthImage image = image_in(message);
     image.source = source;
     on_image(image);
-  });
+  };
+  received_ = subscribe_received<sensor_msgs::Image>(handle, topic, take, &after_cameras_);
 }
 
 /// It does not tell who sent.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "after_others.hpp"
 #include "arrival.hpp"
 #include "depth_pairs.hpp"
 
@@ -28,6 +29,7 @@ class DepthInput {
   OnArrival on_arrival_;
   std::string topic_;  ///< without the transport's own name
   DepthPairs pairs_;
+  AfterOthers after_cameras_;
   ros::Subscriber cameras_, received_;
   std::optional<image_transport::ImageTransport> transport_;  ///< with its subscriber, in place of received_
   image_transport::Subscriber transported_;

@@ -21,14 +21,16 @@ struct Received {
   std::string source = {};
 };
 
-/// Only the latest message waits to be taken.
+/// Only the latest message waits to be taken, in the handle's own queue if there is no other.
 template <class Message>
-ros::Subscriber subscribe_received(ros::NodeHandle& handle, const std::string& topic, const Take& take) {
+ros::Subscriber subscribe_received(ros::NodeHandle& handle, const std::string& topic, const Take& take,
+                                   ros::CallbackQueueInterface* queue = nullptr) {
   using Pointer = boost::shared_ptr<const Received<Message>>;
   const auto done_while_read = [](const Pointer&) {};
   ros::SubscribeOptions options;
   options.initByFullCallbackType<const Pointer&>(
       topic, 1, done_while_read, [take] { return boost::make_shared<Received<Message>>(Received<Message>{take}); });
+  options.callback_queue = queue;
   options.transport_hints = ros::TransportHints().tcpNoDelay();
   return handle.subscribe(options);
 }
