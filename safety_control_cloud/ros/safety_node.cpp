@@ -104,7 +104,8 @@ bool SafetyNode::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Respon
 
 void SafetyNode::publish(const Decision& decision) {
   command_.publish(to_twist(decision));
-  state_.publish(to_state(decision, control_.settings(), header_));
+  // As a pointer, it wakes roscpp's thread only if somebody listens.
+  state_.publish(boost::make_shared<SafetyState>(to_state(decision, control_.settings(), header_)));
   publish_markers(decision);
   log(decision);
   wake_when_quiet();
