@@ -75,10 +75,9 @@ struct Packed {
 
   HWY_INLINE void fetch(std::size_t column, std::size_t size) const { fetch_ahead(first + column * 12, size * 12); }
   HWY_INLINE Points at(std::size_t column) const {
-    Points points;
-    const auto* from = reinterpret_cast<const float*>(first + column * 3 * sizeof(float));
-    hn::LoadInterleaved3(Floats(), from, points.x, points.y, points.z);
-    return points;
+    Float x, y, z;  // no Points: its constructor would not be compiled for the instruction set
+    hn::LoadInterleaved3(Floats(), reinterpret_cast<const float*>(first + column * 3 * sizeof(float)), x, y, z);
+    return {x, y, z};
   }
 };
 
