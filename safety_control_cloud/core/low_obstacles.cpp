@@ -19,6 +19,9 @@ constexpr std::uint16_t floor_tolerance = 15;
 /// A post of 2 cm at 0.7 m, where an Xtion loses the floor, takes 1/40 of its 60 degrees.
 constexpr std::size_t post_share_of_width = 40;
 
+/// As many rows show every step: one of 25 mm at 0.7 m takes 1/25 of the height.
+constexpr std::size_t rows_of_survey = 120;
+
 /// What a pixel shows of the near ground now [mm below the camera]; 0 if it shows none.
 std::uint16_t ground_now(std::uint16_t pixel) {
   constexpr std::uint16_t zero = PixelMemory::now | PixelMemory::ground_zero;
@@ -66,7 +69,8 @@ void LowObstacles::survey(const PixelMemory& memory) {
   floor_ = stretched(std::move(floor_), memory.width);
   lowest_.assign(memory.width, 0);
   above_.assign(memory.width, 0);
-  for (std::size_t row = memory.height; row > 0 && look_at_row(memory.row(row - 1)); --row) {
+  const std::size_t every = std::max<std::size_t>(1, memory.height / rows_of_survey);
+  for (std::size_t rest = memory.height; rest > 0 && look_at_row(memory.row(rest - 1)); rest -= std::min(rest, every)) {
   }
   for (std::size_t i = 0; i < memory.width; ++i) {
     const bool step = above_[i] >= 2 && !memory.is_near_now(i);  // one pixel alone may be noise
