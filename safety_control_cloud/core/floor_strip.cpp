@@ -25,8 +25,6 @@ std::uint16_t least_floor(std::uint16_t lowest) {
   return static_cast<std::uint16_t>(PixelMemory::ground_zero + (floor * 19 + 19) / 20);
 }
 
-std::uint16_t plus(std::uint16_t count, bool one) { return static_cast<std::uint16_t>(count + one); }
-
 /// From the first pixel of a row that returned at some time to behind the last: cameras leave a border of their
 /// pictures empty, but a gap between floor and floor hides something, even if it was there from the start. So does a
 /// border wider than any camera's.
@@ -42,7 +40,7 @@ std::pair<std::size_t, std::size_t> span_of_returns(const std::uint16_t* pixels,
 
 void FloorStrip::survey(const PixelMemory& memory) {
   if (lowest_.size() != memory.height) lowest_.assign(memory.height, 0);
-  columns_.assign(memory.width, Column{});
+  for (auto* counts : {&shown_, &hidden_, &foot_, &blank_}) counts->assign(memory.width, 0);
   std::uint16_t floor = 0;  // the lowest of all rows so far
   for (top_ = memory.height; top_ > 0; --top_) {
     const std::uint16_t lowest = learned(memory, top_ - 1);
@@ -81,25 +79,22 @@ bool FloorStrip::is_reached(const PixelMemory& memory, std::size_t column) const
 void FloorStrip::count_row(const PixelMemory& memory, std::size_t row) {
   const std::uint16_t* pixels = memory.row(row);
   const auto [first, last] = span_of_returns(pixels, memory.width);
-  const std::uint16_t floor = least_floor(lowest_[row]);
-  Column* columns = columns_.data();
+  const auto floor = static_cast<std::int16_t>(least_floor(lowest_[row]));
+  Count *shown = shown_.data(), *hidden = hidden_.data(), *foot = foot_.data(), *blank = blank_.data();
   for (std::size_t i = first; i < last; ++i) {
-    const std::uint16_t pixel = pixels[i], code = PixelMemory::code_of(pixel);
-    const bool now = PixelMemory::is_now(pixel), seen_past = code >= floor, ever = code != PixelMemory::nothing;
-    Column& column = columns[i];
-    column.shown = plus(column.shown, now & seen_past);
-    column.hidden = plus(column.hidden, ever & !(now & seen_past));
-    column.foot = plus(column.foot, now & !seen_past);
-    column.blank = plus(column.blank, !now);
+    const auto code = static_cast<std::int16_t>(PixelMemory::code_of(pixels[i]));
+    const Count now = PixelMemory::is_now(pixels[i]), seen_past = code >= floor, ever = code != PixelMemory::nothing;
+    shown[i] = static_cast<Count>(shown[i] + (now & seen_past));
+    hidden[i] = static_cast<Count>(hidden[i] + (ever & ~(now & seen_past)));
+    foot[i] = static_cast<Count>(foot[i] + (now & ~seen_past));
+    blank[i] = static_cast<Count>(blank[i] + (now ^ 1));
   }
 }
 
 bool FloorStrip::is_covered() const {
-  const std::size_t post = std::max<std::size_t>(2, columns_.size() / post_share_of_width);
-  return any_adjacent(post, columns_.size(), [this](std::size_t i) {
-    const Column& column = columns_[i];
-    return column.blank >= 2 && column.blank >= 3 * (column.shown + column.foot);
-  });
+  const std::size_t width = blank_.size(), post = std::max<std::size_t>(2, width / post_share_of_width);
+  return any_adjacent(post, width,
+                      [this](std::size_t i) { return blank_[i] >= 2 && blank_[i] >= 3 * (shown_[i] + foot_[i]); });
 }
 
 }  // namespace safety_control_cloud

@@ -17,16 +17,16 @@ class FloorStrip {
  public:
   /// Of one pixel column, the pixels of the strip.
   struct Column {
-    std::uint16_t shown = 0;   ///< the floor, or something beyond it, is seen now
-    std::uint16_t hidden = 0;  ///< it was seen, or something before it, and now it is not
-    std::uint16_t foot = 0;    ///< of the hidden ones, those that return something nearer
-    std::uint16_t blank = 0;   ///< return nothing, and did at some time or have such on both sides
+    int shown;   ///< the floor, or something beyond it, is seen now
+    int hidden;  ///< it was seen, or something before it, and now it is not
+    int foot;    ///< of the hidden ones, those that return something nearer
+    int blank;   ///< return nothing, and did at some time or have such on both sides
   };
 
   /// Finds the floor again in the latest cloud.
   void survey(const PixelMemory& memory);
 
-  const std::vector<Column>& columns() const { return columns_; }
+  Column column(std::size_t i) const { return {shown_[i], hidden_[i], foot_[i], blank_[i]}; }
 
   /// Whether what is seen near now in a pixel column reaches down to the strip without a gap: nearer, it would hide it.
   bool is_reached(const PixelMemory& memory, std::size_t column) const;
@@ -35,12 +35,14 @@ class FloorStrip {
   bool is_covered() const;
 
  private:
+  using Count = std::uint16_t;
+
   std::uint16_t learned(const PixelMemory& memory, std::size_t row);
   void count_row(const PixelMemory& memory, std::size_t row);
 
-  std::vector<std::uint16_t> lowest_;  ///< code of the lowest ground return of each row; 0 = none
-  std::size_t top_ = 0;                ///< its highest row; behind the last if there is none
-  std::vector<Column> columns_;
+  std::vector<std::uint16_t> lowest_;                 ///< code of the lowest ground return of each row; 0 = none
+  std::size_t top_ = 0;                               ///< its highest row; behind the last if there is none
+  std::vector<Count> shown_, hidden_, foot_, blank_;  ///< each beside its like: a vector unit counts several at once
 };
 
 }  // namespace safety_control_cloud

@@ -57,7 +57,7 @@ void LostPixels::note_what_hides_floor(const PixelMemory& memory, const FloorStr
   const std::size_t edge = std::max<std::size_t>(1, memory.width / edge_share);
   for (std::size_t i = 0; i < memory.width; ++i) {
     if (!memory.is_near_now(i)) continue;
-    const auto [shown, hidden, foot, blank] = floor.columns()[i];
+    const auto [shown, hidden, foot, blank] = floor.column(i);
     const bool hides = hidden > 0 && 4 * hidden >= shown + hidden;
     if (!hides && !floor.is_reached(memory, i)) continue;
     const std::size_t first = i - std::min(edge, i), last = std::min(i + edge, memory.width - 1);
@@ -68,7 +68,7 @@ void LostPixels::note_what_hides_floor(const PixelMemory& memory, const FloorStr
 std::vector<std::size_t> LostPixels::columns_with_floor_again(const PixelMemory& memory, const FloorStrip& floor) {
   std::vector<std::size_t> free;
   for (std::size_t i = 0; i < memory.width; ++i) {
-    const auto [shown, hidden, foot, blank] = floor.columns()[i];
+    const auto [shown, hidden, foot, blank] = floor.column(i);
     const bool floor_again = !memory.is_near_now(i) && shown > 0 && 8 * hidden <= shown;
     if (!hid_floor_[i] || !floor_again) continue;
     hid_floor_[i] = false;

@@ -11,10 +11,10 @@ namespace safety_control_cloud {
 namespace {
 
 /// What is lower, a robot climbs [mm]: a Kobuki 12, and noise is not to stop it.
-constexpr std::uint16_t step_height = 25;
+constexpr std::int16_t step_height = 25;
 
 /// By which the floor may lie higher than it did and still be the floor [mm]: at 0.7 m, a pitch of 1.2 degrees.
-constexpr std::uint16_t floor_tolerance = 15;
+constexpr std::int16_t floor_tolerance = 15;
 
 /// A post of 2 cm at 0.7 m, where an Xtion loses the floor, takes 1/40 of its 60 degrees.
 constexpr std::size_t post_share_of_width = 40;
@@ -22,15 +22,19 @@ constexpr std::size_t post_share_of_width = 40;
 /// As many rows show every step: one of 25 mm at 0.7 m takes 1/25 of the height.
 constexpr std::size_t rows_of_survey = 120;
 
-/// What a pixel shows of the near ground now [mm below the camera]; 0 if it shows none.
-std::uint16_t ground_now(std::uint16_t pixel) {
+/// Deeper than any near ground [mm below the camera]: there is none.
+constexpr std::int16_t none = PixelMemory::elsewhere - PixelMemory::ground_zero;
+
+/// What a pixel shows of the near ground now.
+std::int16_t ground_now(std::uint16_t pixel) {
   constexpr std::uint16_t zero = PixelMemory::now | PixelMemory::ground_zero;
-  constexpr std::uint16_t codes = PixelMemory::elsewhere - PixelMemory::ground_zero;
-  const auto below = static_cast<std::uint16_t>(pixel - zero);  // wraps for what is less
-  return below < codes ? below : std::uint16_t{0};
+  const auto below = static_cast<std::uint16_t>(pixel - zero);  // what is less wraps
+  return static_cast<std::int16_t>(std::min<std::uint16_t>(below, none));
 }
 
-bool is_on_step(std::uint16_t ground, std::uint16_t floor) { return ground > 0 && ground + step_height <= floor; }
+bool is_on_step(std::int16_t ground, std::int16_t floor) {
+  return ground <= static_cast<std::int16_t>(floor - step_height);
+}
 
 /// The point of a pixel, in the corridor's axes.
 Point point_at(const View& view, std::size_t row, std::size_t column, const Gaze& gaze) {
@@ -41,9 +45,9 @@ Point point_at(const View& view, std::size_t row, std::size_t column, const Gaze
 }
 
 /// Of another resolution of the same picture; zero if there was none.
-std::vector<std::uint16_t> stretched(std::vector<std::uint16_t> columns, std::size_t width) {
+std::vector<std::int16_t> stretched(std::vector<std::int16_t> columns, std::size_t width) {
   if (columns.size() == width) return columns;
-  std::vector<std::uint16_t> all(width, 0);
+  std::vector<std::int16_t> all(width, 0);
   for (std::size_t i = 0; i < width && !columns.empty(); ++i) all[i] = columns[i * columns.size() / width];
   return all;
 }
@@ -67,11 +71,10 @@ std::optional<Loss> LowObstacles::judge(const PixelMemory& memory, const View& v
 
 void LowObstacles::survey(const PixelMemory& memory) {
   floor_ = stretched(std::move(floor_), memory.width);
-  lowest_.assign(memory.width, 0);
+  lowest_.assign(memory.width, none);
   above_.assign(memory.width, 0);
   const std::size_t every = std::max<std::size_t>(1, memory.height / rows_of_survey);
-  for (std::size_t rest = memory.height; rest > 0 && look_at_row(memory.row(rest - 1)); rest -= std::min(rest, every)) {
-  }
+  for (std::size_t rest = memory.height; rest > 0; rest -= std::min(rest, every)) look_at_row(memory.row(rest - 1));
   for (std::size_t i = 0; i < memory.width; ++i) {
     const bool step = above_[i] >= 2 && !memory.is_near_now(i);  // one pixel alone may be noise
     if (step) floor_[i] = std::max(floor_[i], lowest_[i]);  // nearer, the lowest pixel shows more and more of the step
@@ -79,21 +82,21 @@ void LowObstacles::survey(const PixelMemory& memory) {
   }
 }
 
-/// Whether it shows any near ground.
-bool LowObstacles::look_at_row(const std::uint16_t* pixels) {
-  std::uint16_t any = 0;
-  std::uint16_t *lowest = lowest_.data(), *above = above_.data();
+void LowObstacles::look_at_row(const std::uint16_t* pixels) {
+  Millimetres* lowest = lowest_.data();
+  std::int16_t* above = above_.data();
   for (std::size_t i = 0, width = lowest_.size(); i < width; ++i) {
-    const std::uint16_t ground = ground_now(pixels[i]);
-    lowest[i] = lowest[i] == 0 ? ground : lowest[i];
-    above[i] = static_cast<std::uint16_t>(above[i] + is_on_step(ground, lowest[i]));
-    any |= ground;
+    const Millimetres ground = ground_now(pixels[i]), floor = lowest[i] == none ? ground : lowest[i];
+    lowest[i] = floor;
+    above[i] = static_cast<std::int16_t>(above[i] + is_on_step(ground, floor));
   }
-  return any != 0;
 }
 
-/// Where nothing is seen, nothing says that the floor is there again.
-bool LowObstacles::hides_floor(std::size_t column) const { return lowest_[column] + floor_tolerance < floor_[column]; }
+bool LowObstacles::hides_floor(std::size_t column) const {
+  if (!is_step(column)) return false;
+  if (lowest_[column] == none) return true;  // nothing says that the floor is there again
+  return lowest_[column] + floor_tolerance < floor_[column];
+}
 
 std::vector<LowObstacles::Pixel> LowObstacles::pixels(const PixelMemory& memory) const {
   std::vector<Pixel> found;

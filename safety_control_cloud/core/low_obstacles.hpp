@@ -23,21 +23,23 @@ class LowObstacles {
   std::optional<Loss> judge(const PixelMemory& memory, const View& view, const Gaze& gaze);
 
  private:
+  using Millimetres = std::int16_t;  // every vector unit compares these fastest
+
   struct Pixel {
     std::size_t row, column;
   };
 
   void survey(const PixelMemory& memory);
-  bool look_at_row(const std::uint16_t* pixels);
+  void look_at_row(const std::uint16_t* pixels);
   bool is_step(std::size_t column) const { return floor_[column] > 0; }
   bool hides_floor(std::size_t column) const;
   /// Of each column that shows a step, the lowest pixel on it.
   std::vector<Pixel> pixels(const PixelMemory& memory) const;
 
-  // Of each column, in mm below the camera; 0 is none.
-  std::vector<std::uint16_t> floor_;   ///< before the step; none if there is no step
-  std::vector<std::uint16_t> lowest_;  ///< the near ground that the lowest pixel of it shows now
-  std::vector<std::uint16_t> above_;   ///< pixels that show ground a step above `lowest_`
+  // Of each column, below the camera.
+  std::vector<Millimetres> floor_;   ///< before the step; 0 if there is no step
+  std::vector<Millimetres> lowest_;  ///< the near ground that the lowest pixel of it shows now
+  std::vector<std::int16_t> above_;  ///< pixels that show ground a step above `lowest_`
 };
 
 }  // namespace safety_control_cloud
