@@ -43,6 +43,13 @@ TEST(LowObstacles, RobotSlowsBeforeAStepOfThreeCentimetres) {
   EXPECT_EQ(robot.sees(with_plateau(0.64f, 0.03f)).speed, 0.0);
 }
 
+TEST(LowObstacles, RobotSlowsBeforeAKerbAboveABorderThatNeverReturns) {
+  Robot robot;
+  Scene scene({kerb(0.74f, 0.05f)});
+  scene.blank_lowest_rows(3);
+  EXPECT_EQ(robot.sees(scene).cause, Cause::LowObstacle);
+}
+
 TEST(LowObstacles, RobotStandsForAsLongAsAPlateauFillsItsView) {
   Robot robot;
   for (const float z : {0.76f, 0.74f, 0.72f, 0.70f}) robot.sees(with_plateau(z, 0.05f));

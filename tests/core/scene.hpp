@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -35,6 +36,10 @@ class Scene {
   }
 
   void set(std::size_t row, std::size_t column, float z) { points_[row * width + column] = {0.0f, 0.0f, z}; }
+
+  void blank_lowest_rows(std::size_t rows) {
+    std::fill(points_.end() - static_cast<std::ptrdiff_t>(rows * width), points_.end(), Xyz{nan, nan, nan});
+  }
 
   CloudView view() const {
     CloudView view = view_of(points_);
