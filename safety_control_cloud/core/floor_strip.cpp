@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t post_share_of_width = 24;
 
 /// Stereo cameras have the widest borders, of 4 to 6 % at 0.7 m.
-constexpr std::size_t border_share = 8;
+constexpr std::size_t border_share_of_width = 8;
 
 /// A row's floor rises by this in a cloud in which none is seen as low [mm]: after a bump it is back in a second.
 constexpr std::uint16_t forgotten = 1;
@@ -32,7 +32,7 @@ std::pair<std::size_t, std::size_t> span_of_returns(const std::uint16_t* pixels,
   std::size_t first = 0, last = width;
   while (first < last && PixelMemory::code_of(pixels[first]) == PixelMemory::nothing) ++first;
   while (last > first && PixelMemory::code_of(pixels[last - 1]) == PixelMemory::nothing) --last;
-  const std::size_t border = width / border_share;
+  const std::size_t border = width / border_share_of_width;
   return {first > border ? 0 : first, width - last > border ? width : last};
 }
 
@@ -45,8 +45,6 @@ void FloorStrip::survey(const PixelMemory& memory) {
   for (top_ = memory.height; top_ > 0; --top_) {
     const std::uint16_t lowest = learned(memory, top_ - 1);
     floor = std::max(floor, lowest);
-    const bool in_border = (memory.height - top_) * border_share < memory.height;
-    if (floor == 0 && in_border) continue;
     if (lowest == 0 || lowest < least_floor(floor)) return;
     count_row(memory, top_ - 1);
   }

@@ -82,22 +82,6 @@ TEST(NearLoss, RobotStandsForAPostAtTheBorderOfThePictureThatWasTooNearToBeSeenF
   EXPECT_EQ(Robot().sees(with_borders(0, 21)).speed, 0.0);
 }
 
-/// As of a picture that was brought into the colour camera's.
-Scene without_lowest_rows(const std::vector<Board>& boards) {
-  Scene scene(boards);
-  scene.blank_lowest_rows(3);
-  return scene;
-}
-
-TEST(NearLoss, RobotSeesTheNearFloorAboveABorderThatNeverReturns) {
-  Robot robot;
-  EXPECT_EQ(robot.sees(without_lowest_rows({post(0.35f, 0.0f, 0.04f)})).cause, Cause::NearLoss);
-  EXPECT_EQ(robot.sees(without_lowest_rows({})).speed, 0.2);
-  robot.sees(without_lowest_rows({post(0.6f, 0.0f)}));
-  EXPECT_EQ(robot.sees(without_lowest_rows({post(0.35f, 0.0f)})).speed, 0.0);
-  EXPECT_EQ(robot.sees(without_lowest_rows({})).speed, 0.2);
-}
-
 TEST(NearLoss, RobotDrivesOnWhenALegThatHidLittleMoreThanTheNearestFloorHasGone) {
   Robot robot;
   robot.sees(Scene());
