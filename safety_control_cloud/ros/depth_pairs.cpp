@@ -24,8 +24,8 @@ void DepthPairs::add(const DepthImage& image) {
 
 void DepthPairs::add(const CameraEvent& camera) {
   const auto its = [&](const Kept& kept) { return kept.image.header.stamp == stamp_of(camera); };
-  const auto found = std::find_if(images_.begin(), images_.end(), its);
-  if (found == images_.end()) {
+  const auto found = std::find_if(images_.rbegin(), images_.rend(), its);  // of two with one stamp the later
+  if (found == images_.rend()) {
     if (cameras_.size() == waiting) cameras_.pop_front();
     cameras_.push_back(camera);
     return;

@@ -47,6 +47,15 @@ struct Arrivals {
 
 using Stamps = std::vector<std::uint32_t>;
 
+TEST(DepthPairs, OfTwoImagesWithOneStampTheLaterIsTaken) {
+  Arrivals arrivals;
+  arrivals.image(1, "earlier");
+  arrivals.image(1, "later");
+  arrivals.camera(1);
+  ASSERT_EQ(arrivals.pairs.size(), 1u);
+  EXPECT_EQ(arrivals.pairs[0].second, "later");
+}
+
 TEST(DepthPairs, ImageAfterItsCameraInfoIsPairedAtOnceAndNotCopied) {
   Arrivals arrivals;
   arrivals.camera(1);
