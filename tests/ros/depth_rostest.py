@@ -3,6 +3,7 @@
 """A depth image leads to what the cloud that depth_image_proc makes of it leads to; a bad one to standing still."""
 import tempfile
 import unittest
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -67,6 +68,15 @@ def binned_region(image):
     camera.roi.width, camera.roi.height = 2 * image.width, 2 * image.height
     camera.P = [3.3 * image.width, 0, 2 * image.width, 0, 0, 3.1 * image.width, 2.1 * image.height, 0, 0, 0, 1, 0]
     return camera
+
+
+class CutShort(Image):
+    """An image whose serialised bytes lose their end on the way."""
+
+    def serialize(self, buff):
+        whole = BytesIO()
+        super().serialize(whole)
+        buff.write(whole.getvalue()[:-100])
 
 
 class Ears:
@@ -165,6 +175,16 @@ class Depth(unittest.TestCase):
             self.assertEqual((state.cause_text, state.speed, state.zone_text), ("UNREADABLE", 0.0, "Danger"), reason)
             self.assertIn(reason, state.reason)
             self.assertNotEqual(self.by_depth.state_at(self.send(whole)).cause_text, "UNREADABLE")
+
+    def test_a_message_that_cannot_be_deserialised_is_unreadable_without_its_camera_info(self):
+        whole = image_of(depths(11, 24, 32))
+        cut = CutShort(*(getattr(whole, name) for name in whole.__slots__))
+        cut.header.stamp = self.stamp()
+        self.raws.publish(cut)
+        state = self.by_raw_depth.state_at(cut.header.stamp)
+        self.assertEqual((state.cause_text, state.speed), ("UNREADABLE", 0.0))
+        self.assertEqual(state.reason, "the message ends before its contents")
+        self.assertNotEqual(self.by_raw_depth.state_at(self.send(whole)).cause_text, "UNREADABLE")
 
     def test_images_without_their_camera_info_are_silence(self):
         image = image_of(depths(9, 24, 32))
