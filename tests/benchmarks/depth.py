@@ -31,7 +31,7 @@ def figures(table: Table) -> Dict[str, Dict[str, float]]:
 
 
 def table_of(table: Table) -> RichTable:
-    return nodes.table_with_title(table, "From depth image to Twist: our node, and depth_image_proc with our node")
+    return nodes.table_with_title(table, "From depth image to Twist: our node, and depth_image_proc with our node, and one that only answers")
 
 
 as_json = nodes.as_json
