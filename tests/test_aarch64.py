@@ -19,14 +19,13 @@ def headers(tmp_path):
         if not (HEADERS / name).is_dir():
             pytest.skip(f"{HEADERS / name} is not installed")
         (tmp_path / name).symlink_to(HEADERS / name)
-    for pcl in HEADERS.glob("pcl-1.*"):
-        (tmp_path / "pcl").symlink_to(pcl)
+    (tmp_path / "pcl").symlink_to(max(HEADERS.glob("pcl-1.*")))
     return tmp_path
 
 
 @pytest.mark.skipif(shutil.which(COMPILER) is None, reason=f"{COMPILER} is not installed")
 def test_the_kernel_compiles_for_neon(headers, tmp_path):
-    search = [f"-isystem{headers / folder}" for folder in ("", "pcl", "eigen3")]
+    search = [f"-I{KERNEL.parent}", *(f"-isystem{headers / folder}" for folder in ("", "pcl", "eigen3"))]
     target = tmp_path / "scan_simd.o"
     result = subprocess.run([COMPILER, "-std=c++17", "-O1", "-c", *search, KERNEL, "-o", target], stderr=subprocess.PIPE, text=True)
     assert result.returncode == 0, result.stderr[-5000:]
