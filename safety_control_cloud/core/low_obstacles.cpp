@@ -19,8 +19,11 @@ constexpr std::int16_t floor_tolerance = 15;
 /// A post of 2 cm at 0.7 m, where an Xtion loses the floor, takes 1/40 of its 60 degrees.
 constexpr std::size_t post_share_of_width = 40;
 
-/// As many rows show every step: one of 25 mm at 0.7 m takes 1/25 of the height.
-constexpr std::size_t rows_of_survey = 120;
+/// As many rows show every step: of one of 30 mm at 0.7 m whose top is not seen, what counts takes 1/120 of the height.
+constexpr std::size_t rows_of_survey = 240;
+
+/// Behind as many of these rows without near ground is none: a step is not higher, even if its front does not return.
+constexpr std::size_t longest_gap = rows_of_survey / 6;
 
 /// Deeper than any near ground [mm below the camera]: there is none.
 constexpr std::int16_t none = PixelMemory::elsewhere - PixelMemory::ground_zero;
@@ -74,7 +77,13 @@ void LowObstacles::survey(const PixelMemory& memory) {
   lowest_.assign(memory.width, none);
   above_.assign(memory.width, 0);
   const std::size_t every = std::max<std::size_t>(1, memory.height / rows_of_survey);
-  for (std::size_t rest = memory.height; rest > 0; rest -= std::min(rest, every)) look_at_row(memory.row(rest - 1));
+  std::size_t gap = 0;
+  bool begun = false;
+  for (std::size_t rest = memory.height; rest > 0 && gap < longest_gap; rest -= std::min(rest, every)) {
+    const bool shown = look_at_row(memory.row(rest - 1));
+    begun = begun || shown;
+    gap = begun && !shown ? gap + 1 : 0;
+  }
   for (std::size_t i = 0; i < memory.width; ++i) {
     const bool step = above_[i] >= 2 && !memory.is_near_now(i);  // one pixel alone may be noise
     if (step) floor_[i] = std::max(floor_[i], lowest_[i]);  // nearer, the lowest pixel shows more and more of the step
@@ -82,14 +91,17 @@ void LowObstacles::survey(const PixelMemory& memory) {
   }
 }
 
-void LowObstacles::look_at_row(const std::uint16_t* pixels) {
-  Millimetres* lowest = lowest_.data();
+/// Whether it shows any near ground.
+bool LowObstacles::look_at_row(const std::uint16_t* pixels) {
+  Millimetres nearest = none, *lowest = lowest_.data();
   std::int16_t* above = above_.data();
   for (std::size_t i = 0, width = lowest_.size(); i < width; ++i) {
     const Millimetres ground = ground_now(pixels[i]), floor = lowest[i] == none ? ground : lowest[i];
     lowest[i] = floor;
     above[i] = static_cast<std::int16_t>(above[i] + is_on_step(ground, floor));
+    nearest = std::min(nearest, ground);
   }
+  return nearest != none;
 }
 
 bool LowObstacles::hides_floor(std::size_t column) const {

@@ -30,7 +30,7 @@ class LowObstacles {
   };
 
   void survey(const PixelMemory& memory);
-  void look_at_row(const std::uint16_t* pixels);
+  bool look_at_row(const std::uint16_t* pixels);
   bool is_step(std::size_t column) const { return floor_[column] > 0; }
   bool hides_floor(std::size_t column) const;
   /// Of each column that shows a step, the lowest pixel on it.

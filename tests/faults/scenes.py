@@ -28,8 +28,8 @@ def post(distance: float, x: float = 0.0, width: float = 0.1) -> Board:
     return distance, x - width / 2, x + width / 2, -1.0, FLOOR
 
 
-def kerb(distance: float) -> Board:
-    return distance, -0.2, 0.2, FLOOR - 0.07, FLOOR
+def kerb(distance: float, height: float = 0.07) -> Board:
+    return distance, -0.2, 0.2, FLOOR - height, FLOOR
 
 
 def points_of(*boards: Board, width: int = WIDTH, height: int = HEIGHT) -> np.ndarray:

@@ -42,6 +42,14 @@ def test_a_kerb_lower_than_the_corridor_slows_the_robot_and_stops_it(robot):
     robot.drives()
 
 
+@pytest.mark.parametrize("zoom", [1, 2, 4, 8])
+def test_a_low_kerb_is_seen_at_any_resolution(robot, zoom):
+    robot.camera.show(always(cloud_of(points_of(kerb(0.72, height=0.035), width=zoom * WIDTH, height=zoom * HEIGHT))))
+    robot.slows("LOW_OBSTACLE")
+    robot.camera.show(hall())
+    robot.drives()
+
+
 def test_a_near_obstacle_that_becomes_a_hole_of_nan_is_still_there(robot):
     robot.camera.show(hall(post(0.6)))
     robot.drives(0.1)
