@@ -18,6 +18,16 @@ bool is_picture(std::size_t width, std::size_t height) {
   return width >= 2 && height >= 2 && width <= most && height <= most;
 }
 
+bool is_in_sight(const Loss& loss) { return loss.cause == Cause::LowObstacle && !loss.whole; }
+
+/// Where a loss is at the nearest [m].
+double nearest_place(const Loss& loss) { return loss.whole || !loss.obstacle ? 0.0 : loss.obstacle->distance(); }
+
+std::optional<Loss> nearer(const std::optional<Loss>& one, const std::optional<Loss>& other) {
+  if (!one || !other) return one ? one : other;
+  return nearest_place(*one) <= nearest_place(*other) ? one : other;
+}
+
 }  // namespace
 
 void NearLoss::limit(const NearLossLimits& limits) {
@@ -49,9 +59,9 @@ std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const 
   if (limits_.distance <= 0.0) return std::nullopt;
   const auto loss =
       gaze.memory ? judge_pixels(view, sight, gaze) : nearest_.judge(view, sight, corridor, gaze, limits_.distance);
-  if (!loss) {
+  if (!loss || is_in_sight(*loss)) {
     lost_since_.reset();
-    return std::nullopt;
+    return loss;
   }
   if (!lost_since_) lost_since_ = now;
   if (limits_.timeout > 0.0 && now - *lost_since_ >= limits_.timeout) {
@@ -70,9 +80,7 @@ std::optional<Loss> NearLoss::judge_pixels(const View& view, const Sight& sight,
     return Loss{Cause::NearLoss, std::nullopt, true,
                 "the near floor is hidden by something nearer than the camera can see"};
   }
-  if (low && low->whole) return low;
-  const auto loss = lost_.judge(memory_, lost, sight.total, limits_.distance);
-  return loss ? loss : low;
+  return nearer(low, lost_.judge(memory_, lost, sight.total, limits_.distance));
 }
 
 }  // namespace safety_control_cloud
