@@ -105,10 +105,10 @@ bool is_too_close(float x, float y, float z, const Corridor& corridor, const Gaz
   return !left_or_right && !above_or_below;
 }
 
-std::uint16_t remembered(const Point& point, const Corridor& corridor, float near_distance) {
-  const bool near = point.z > 0.0f && point.z < near_distance;
+std::uint16_t remembered(const Point& point, const Corridor& corridor, const Gaze& gaze) {
+  const bool near = point.z > 0.0f && point.z < gaze.memory->distance;
   if (!near || !corridor.spans(point.x)) return PixelMemory::elsewhere;
-  if (point.y > corridor.y_max) return PixelMemory::ground_code(point.y);
+  if (point.y > corridor.y_max) return PixelMemory::ground_code(point.y - camera_in(gaze).y);
   return point.y >= corridor.y_min ? PixelMemory::near_code(point.z) : PixelMemory::elsewhere;
 }
 

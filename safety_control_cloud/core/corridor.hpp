@@ -72,8 +72,15 @@ inline bool is_inside(const Point& point, const Corridor& corridor) {
   return corridor.holds(point) && point.z > 0.0f && std::isfinite(point.z);  // a far point may overflow on its way here
 }
 
-/// What a pixel remembers of a return at this place.
-std::uint16_t remembered(const Point& point, const Corridor& corridor, float near_distance);
+/// Where the camera is, in the corridor's axes.
+inline Point camera_in(const Gaze& gaze) {
+  if (!gaze.placement) return Point(0.0f, 0.0f, 0.0f);
+  const auto& [x, y, z] = gaze.placement->rows;
+  return Point(x[3], y[3], z[3]);
+}
+
+/// What a pixel of the gaze's memory remembers of a return at this place.
+std::uint16_t remembered(const Point& point, const Corridor& corridor, const Gaze& gaze);
 
 /// The obstacle of the points inside, in the corridor's axes: the min_points-th by z, where the points that are too
 /// close come first, at distance 0.

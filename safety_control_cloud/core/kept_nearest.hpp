@@ -7,7 +7,8 @@
 
 namespace safety_control_cloud {
 
-/// The nearest obstacle of clouds that are not organised, kept from when it was near until something is seen behind it.
+/// The nearest obstacle of clouds that are not organised, kept from when it was near until something is seen behind it;
+/// another one, farther away, does not take its place before.
 class KeptNearest {
  public:
   /// Whether it is lost in this cloud. Nearer than `near_distance` [m] is near.
@@ -15,6 +16,8 @@ class KeptNearest {
                             double near_distance);
 
  private:
+  void keep(const std::optional<Obstacle>& nearest, double near_distance);
+
   std::optional<Obstacle> nearest_;
 };
 

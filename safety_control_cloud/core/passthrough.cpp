@@ -55,13 +55,14 @@ std::optional<Obstacle> nearest_in(const Cloud& inside) {
   return Obstacle{*std::find_if(inside.begin(), inside.end(), [&](const Point& point) { return point.z == low.z; })};
 }
 
-void remember(const Cloud& cloud, const Cloud& placed, const Corridor& corridor, PixelMemory& memory) {
+void remember(const Cloud& cloud, const Cloud& placed, const Corridor& corridor, const Gaze& gaze) {
+  PixelMemory& memory = *gaze.memory;
   for (std::size_t i = 0; i < placed.size(); ++i) {
     std::uint16_t& pixel = memory.pixels[i];
     const Point& point = cloud.points[i];
     // Whether or not its place is too far for a float.
     const bool returned = is_return(point.x, point.y, point.z, corridor);
-    if (returned) pixel = remembered(placed.points[i], corridor, memory.distance);
+    if (returned) pixel = remembered(placed.points[i], corridor, gaze);
     const std::uint16_t code = PixelMemory::code_of(pixel);
     pixel = static_cast<std::uint16_t>(returned ? code | PixelMemory::now : code);
   }
@@ -90,7 +91,7 @@ Sight passthrough(const View& view, const Corridor& corridor, const Gaze& gaze) 
   sight.nearest = corridor.min_points == 1 && sight.too_close == 0 ? nearest_in(*obstacles)
                                                                    : nearest_of(sight.too_close, *obstacles, corridor);
   if (gaze.memory) {
-    remember(*cloud, *points, corridor, *gaze.memory);
+    remember(*cloud, *points, corridor, gaze);
     sight.lost = gaze.memory->near.lost;
   }
   if (gaze.crop == Crop::Keep) sight.crop = picked(*cloud, *inside);

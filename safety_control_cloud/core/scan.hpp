@@ -29,7 +29,7 @@ struct Counts {
 /// Counts the points of the runs [begin, end) and writes the smallest z inside each of them [m], +inf where there is
 /// none, to nearest[begin] ... nearest[end - 1]. Which point that is, is left to inside_of(): to look for it in one run
 /// afterwards costs less than to carry it through the pass, and the same in every scene. Brings the gaze's memory up to
-/// date for these points.
+/// date for these points; the runs' rows must be Apart then.
 Counts scan(const Runs& runs, std::size_t begin, std::size_t end, const Corridor& corridor, const Gaze& gaze,
             float* nearest);
 

@@ -52,6 +52,7 @@ struct Unplaced {
   explicit HWY_INLINE Unplaced(const Gaze&) {}
   HWY_INLINE Points operator()(const Points& points) const { return points; }
   HWY_INLINE Mask ahead(const Points& placed) const { return hn::Gt(placed.z, all(0.0f)); }
+  HWY_INLINE Float below_camera(const Points& placed) const { return placed.y; }
 };
 
 /// Takes points to the corridor's axes, by the very operations of Placement.
@@ -70,6 +71,7 @@ struct Placed {
   HWY_INLINE Mask ahead(const Points& placed) const {
     return hn::And(hn::Gt(placed.z, all(0.0f)), hn::Lt(placed.z, all(infinity)));
   }
+  HWY_INLINE Float below_camera(const Points& placed) const { return hn::Sub(placed.y, y0); }
 
  private:
   using Rows = std::array<std::array<float, 4>, 3>;
@@ -115,12 +117,13 @@ struct Found {
 
 /// What pixels remember of these points, with the flag `now`, as signed numbers of 16 bits; 0 of those that are no
 /// returns.
-HWY_INLINE hn::Vec<Signed> remembered(const Found& found, Float near_distance) {
+template <class Placing>
+HWY_INLINE hn::Vec<Signed> remembered(const Found& found, const Placing& place, Float near_distance) {
   // From 2^23 on the bits of a float count in ones: adding rounds, as std::nearbyint does, and needs no conversion.
   constexpr float two_to_23 = 8388608.0f;
   constexpr std::int32_t bits_of_it = 0x4B000000;
-  const auto [x, y, z] = found.placed;
-  const Float below = hn::Min(hn::Max(y, all(0.0f)), all(static_cast<float>(PixelMemory::farthest)));
+  const Float z = found.placed.z, farthest = all(static_cast<float>(PixelMemory::farthest));
+  const Float below = hn::Min(hn::Max(place.below_camera(found.placed), all(0.0f)), farthest);
   const Float ground =
       hn::Add(hn::Mul(below, all(PixelMemory::ground_per_metre)), all(two_to_23 + PixelMemory::ground_zero));
   const Float ahead = hn::Add(hn::Mul(z, all(PixelMemory::near_per_metre)), all(two_to_23));

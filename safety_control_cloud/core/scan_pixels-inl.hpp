@@ -8,6 +8,7 @@
 #endif
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 
@@ -86,6 +87,7 @@ void visit_pixels(const Run& run, PixelMemory& memory, Visitor& visitor) {
   std::uint16_t *pixels = memory.row(row) + column, *nearest_now = memory.near.nearest_now.data() + column;
   visitor.pixels.start_run(pixels, nearest_now);
   const std::size_t width = width_of(run.points), rest = width % codes, whole = width - rest;
+  assert(column + width <= memory.width);
   if (rest == 0) {
     visit_run(run, visitor);
   } else {

@@ -12,9 +12,9 @@ namespace {
 
 /// A pixel after a point has come, or has not.
 std::uint16_t updated(std::uint16_t pixel, const std::optional<Point>& point, const Corridor& corridor,
-                      float near_distance) {
+                      const Gaze& gaze) {
   if (!point) return PixelMemory::code_of(pixel);
-  return static_cast<std::uint16_t>(remembered(*point, corridor, near_distance) | PixelMemory::now);
+  return static_cast<std::uint16_t>(remembered(*point, corridor, gaze) | PixelMemory::now);
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ Counts scan(const Runs& runs, std::size_t begin, std::size_t end, const Corridor
       counts.too_close += is_too_close(x, y, z, corridor, gaze);
       if (inside) nearest_of_run = std::min(nearest_of_run, point->z);
       if (!pixel) return;
-      *pixel = updated(*pixel, point, corridor, gaze.memory->distance);
+      *pixel = updated(*pixel, point, corridor, gaze);
       ++pixel;
     });
     if (gaze.memory) gaze.memory->note(run.first, width_of(run.points));

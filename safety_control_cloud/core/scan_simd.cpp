@@ -49,7 +49,7 @@ struct Counting {
     returns.add(hn::RebindMask(Integers(), found.returning));
     inside.add(hn::RebindMask(Integers(), found.inside));
     nearest = hn::IfThenElse(found.inside, hn::Min(nearest, found.placed.z), nearest);
-    lowest = hn::Min(points.z, lowest);  // of two operands, x86 drops a NaN only if it is the first
+    lowest = hn::IfThenElse(hn::Lt(points.z, lowest), points.z, lowest);  // Min() drops a NaN on some machines only
     return found;
   }
 };
@@ -67,9 +67,13 @@ struct Remembering : Counting<Placing> {
 
   template <class Source>
   HWY_INLINE void take(const Source& points, std::size_t column, std::size_t pixel) {
-    const auto first = remembered(this->note(points.at(column)), near_distance);
-    const auto second = lanes == codes ? first : remembered(this->note(points.at(column + lanes)), near_distance);
+    const auto first = of_points(points.at(column));
+    const auto second = lanes == codes ? first : of_points(points.at(column + lanes));
     pixels.take(codes_of(first, second), pixel);
+  }
+
+  HWY_INLINE hn::Vec<Signed> of_points(const Points& points) {
+    return remembered(this->note(points), this->place, near_distance);
   }
 };
 

@@ -21,6 +21,32 @@ TEST(KeptNearest, UnorganisedCloudKeepsItsNearestUntilSomethingIsSeenBehindIt) {
   EXPECT_EQ(robot.sees(view_of(behind)).speed, 0.2);
 }
 
+TEST(KeptNearest, AnotherOneFartherAwayDoesNotTakeItsPlace) {
+  Robot robot;
+  const std::vector<Xyz> both = {{0.0f, 0.0f, 0.45f}, {0.2f, 0.0f, 0.7f}, {0.0f, 1.0f, 3.0f}};
+  const std::vector<Xyz> farther = {{nan, nan, nan}, {0.2f, 0.0f, 0.7f}, {0.0f, 1.0f, 3.0f}};
+  const std::vector<Xyz> behind = {{0.0f, 0.0f, 3.0f}, {0.2f, 0.0f, 0.7f}, {0.0f, 1.0f, 3.0f}};
+  robot.sees(view_of(both));
+  EXPECT_EQ(robot.sees(view_of(farther)).cause, Cause::NearLoss);
+  EXPECT_EQ(robot.sees(view_of(farther)).speed, 0.0);
+  EXPECT_EQ(robot.sees(view_of(behind)).speed, 0.1);
+}
+
+TEST(KeptNearest, BehindIsAsTheCameraLooksWhereverTheCorridorLies) {
+  Placement on_the_floor;
+  on_the_floor.rows[1][3] = -0.3f;
+  Settings settings;
+  settings.corridor.y_min = -0.5f;
+  settings.corridor.y_max = -0.05f;
+  Robot robot(settings, on_the_floor);
+  const std::vector<Xyz> near = {{0.0f, 0.2f, 0.45f}, {0.0f, -1.0f, 3.0f}};
+  const std::vector<Xyz> above = {{0.0f, -0.367f, 3.0f}, {0.0f, -1.0f, 3.0f}};  // as from the floor it would be behind
+  const std::vector<Xyz> behind = {{0.0f, 0.444f, 1.0f}, {0.0f, -1.0f, 3.0f}};
+  robot.sees(view_of(near));
+  EXPECT_EQ(robot.sees(view_of(above)).cause, Cause::NearLoss);
+  EXPECT_EQ(robot.sees(view_of(behind)).speed, 0.2);
+}
+
 TEST(KeptNearest, CloudOfOneColumnIsNoPictureAndKeepsItsNearestToo) {
   const auto column = [](const std::vector<Xyz>& points) {
     CloudView view = view_of(points);

@@ -50,6 +50,42 @@ TEST(LowObstacles, RobotSlowsBeforeAKerbAboveABorderThatNeverReturns) {
   EXPECT_EQ(robot.sees(scene).cause, Cause::LowObstacle);
 }
 
+TEST(LowObstacles, CorridorOnTheFloorSeesTheSameKerb) {
+  Placement camera;
+  camera.rows[1][3] = -floor_y;
+  Settings settings;
+  settings.corridor.y_min -= floor_y;
+  settings.corridor.y_max -= floor_y;
+  Robot robot(settings, camera);
+  EXPECT_EQ(robot.sees({kerb(1.0f, 0.05f)}).speed, 0.2);
+  EXPECT_EQ(robot.sees({kerb(0.74f, 0.05f)}).cause, Cause::LowObstacle);
+  EXPECT_EQ(robot.sees({kerb(0.62f, 0.05f)}).speed, 0.0);
+  EXPECT_EQ(robot.sees(Scene()).speed, 0.2);
+}
+
+TEST(LowObstacles, NearerThanAnEdgeThatFlickersDecides) {
+  Settings settings;
+  settings.limits.danger = 0.73;
+  Robot robot(settings);
+  const Board low = {0.72f, -0.25f, 0.0f, floor_y - 0.05f, floor_y}, board = {0.745f, 0.05f, 0.20f, -0.2f, 0.1f};
+  Board less = board;
+  less.x_max = 0.18f;
+  robot.sees({low, board});
+  const Decision decision = robot.sees({low, less});
+  EXPECT_EQ(decision.cause, Cause::LowObstacle);
+  EXPECT_EQ(decision.speed, 0.0);
+}
+
+TEST(LowObstacles, TimeoutOfLossesForgetsNoneThatIsInSight) {
+  Settings settings;
+  settings.near_loss.timeout = 0.2;
+  Robot robot(settings);
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(robot.sees({kerb(0.74f, 0.05f)}).speed, 0.1) << i;
+  EXPECT_EQ(robot.sees({kerb(0.62f, 0.05f)}).speed, 0.0);
+  for (int i = 0; i < 5; ++i) robot.sees({kerb(0.62f, 0.05f)});
+  EXPECT_EQ(robot.sees({kerb(0.62f, 0.05f)}).speed, 0.2) << "out of sight since the timeout";
+}
+
 TEST(LowObstacles, RobotStandsForAsLongAsAPlateauFillsItsView) {
   Robot robot;
   for (const float z : {0.76f, 0.74f, 0.72f, 0.70f}) robot.sees(with_plateau(z, 0.05f));
