@@ -31,7 +31,7 @@ MEANINGS = {
     "kernel_vs_tutorial": "the tutorial's filters / a look, cached; more is better",
     "kernel_vs_pcl_indices": "PCL at its best / a look, cached; more is better",
     "kernel_scene_spread": "the slowest scene / the fastest",
-    "node_cpu_vs_tutorial": "CPU of the tutorial's node / of ours; more is better",
+    "node_cpu_vs_tutorial": "CPU of our node / of the tutorial's",
     "node_cpu_vs_floor": "CPU of our node / of one that only answers",
     "node_latency_vs_floor": "cloud to Twist, our node / one that only answers",
     "node_faults_per_cloud": "minor page faults of our node",
