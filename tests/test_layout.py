@@ -101,7 +101,7 @@ def test_simulation_and_trials_know_no_ros(file):
         ("#include <ros/ros.h>", "ros/ros.h"),
         ("#include <pcl_ros/point_cloud.h>", "pcl_ros/point_cloud.h"),
         ("#include <pcl/io/pcd_io.h>", "pcl/io/pcd_io.h"),
-        ('  #  include "../ros/messages.hpp"', "../ros/messages.hpp"),
+        ('  #  include "../ros/output/messages.hpp"', "../ros/output/messages.hpp"),
         ("#include <chrono>", "chrono"),
         ("#include <unistd.h>", "unistd.h"),
     ],

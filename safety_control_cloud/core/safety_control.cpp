@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "passthrough.hpp"
+#include "look/passthrough.hpp"
 
 namespace safety_control_cloud {
 namespace {

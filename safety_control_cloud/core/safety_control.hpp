@@ -4,16 +4,16 @@
 #include <optional>
 #include <string>
 
-#include "cause.hpp"
-#include "corridor.hpp"
-#include "frozen.hpp"
-#include "layout.hpp"
-#include "near_loss.hpp"
-#include "placement.hpp"
+#include "doubt/cause.hpp"
+#include "look/corridor.hpp"
+#include "doubt/frozen.hpp"
+#include "input/layout.hpp"
+#include "memory/near_loss.hpp"
+#include "look/placement.hpp"
 #include "settings.hpp"
-#include "sources.hpp"
-#include "speed.hpp"
-#include "zone.hpp"
+#include "doubt/sources.hpp"
+#include "speed/speed.hpp"
+#include "speed/zone.hpp"
 
 namespace safety_control_cloud {
 

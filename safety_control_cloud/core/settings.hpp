@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "corridor.hpp"
-#include "near_loss.hpp"
-#include "speed.hpp"
-#include "stopping.hpp"
-#include "zone.hpp"
+#include "look/corridor.hpp"
+#include "memory/near_loss.hpp"
+#include "speed/speed.hpp"
+#include "speed/stopping.hpp"
+#include "speed/zone.hpp"
 
 namespace safety_control_cloud {
 

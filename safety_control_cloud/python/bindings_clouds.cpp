@@ -3,9 +3,9 @@
 #include <tuple>
 #include <vector>
 
-#include "../core/layout.hpp"
-#include "../core/passthrough.hpp"
-#include "../core/scan.hpp"
+#include "../core/input/layout.hpp"
+#include "../core/look/passthrough.hpp"
+#include "../core/look/kernel/scan.hpp"
 #include "bindings.hpp"
 
 namespace bindings {

@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "parameters.hpp"
-#include "receive_memory.hpp"
+#include "input/receive_memory.hpp"
 #include "safety_node.hpp"
 
 namespace {

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "markers.hpp"
-#include "messages.hpp"
+#include "output/markers.hpp"
+#include "output/messages.hpp"
 #include "parameters.hpp"
 
 namespace safety_control_cloud {

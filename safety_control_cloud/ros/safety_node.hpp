@@ -8,11 +8,11 @@
 #include <string>
 
 #include "../core/safety_control.hpp"
-#include "arrival.hpp"
-#include "depth_input.hpp"
-#include "diagnostics.hpp"
+#include "input/arrival.hpp"
+#include "input/depth_input.hpp"
+#include "output/diagnostics.hpp"
 #include "reconfigure.hpp"
-#include "transforms.hpp"
+#include "input/camera_place.hpp"
 
 namespace safety_control_cloud {
 

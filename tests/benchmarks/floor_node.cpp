@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "../../safety_control_cloud/ros/receive_memory.hpp"
+#include "../../safety_control_cloud/ros/input/receive_memory.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "../../safety_control_cloud/core/scan.hpp"
+#include "../../safety_control_cloud/core/look/kernel/scan.hpp"
 #include "look_and_judge.hpp"
 #include "scenes.hpp"
 

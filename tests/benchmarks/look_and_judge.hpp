@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "../../safety_control_cloud/core/corridor.hpp"
-#include "../../safety_control_cloud/core/near_loss.hpp"
+#include "../../safety_control_cloud/core/look/corridor.hpp"
+#include "../../safety_control_cloud/core/memory/near_loss.hpp"
 
 namespace safety_control_cloud {
 

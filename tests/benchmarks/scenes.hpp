@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "../../safety_control_cloud/core/view.hpp"
+#include "../../safety_control_cloud/core/input/view.hpp"
 
 namespace safety_control_cloud {
 

@@ -5,8 +5,8 @@
 
 #include <stdexcept>
 
-#include "cloud_builder.hpp"
-#include "malformed_clouds.hpp"
+#include "input/cloud_builder.hpp"
+#include "input/malformed_clouds.hpp"
 
 namespace safety_control_cloud {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "cloud_builder.hpp"
+#include "input/cloud_builder.hpp"
 
 namespace safety_control_cloud {
 

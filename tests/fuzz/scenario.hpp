@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "../../safety_control_cloud/core/layout.hpp"
+#include "../../safety_control_cloud/core/input/layout.hpp"
 
 namespace safety_control_cloud {
 

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "../core/malformed_clouds.hpp"
+#include "../core/input/malformed_clouds.hpp"
 #include "../core/scene.hpp"
 #include "scenario.hpp"
 

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which points are what, a vector at a time; part of scan_simd.cpp, compiled once for every instruction set.
+// The same tests as is_return(), is_inside(), is_too_close() and remembered() of corridor.hpp.
+#if defined(SAFETY_CONTROL_CLOUD_SCAN_FOUND_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef SAFETY_CONTROL_CLOUD_SCAN_FOUND_INL
+#undef SAFETY_CONTROL_CLOUD_SCAN_FOUND_INL
+#else
+#define SAFETY_CONTROL_CLOUD_SCAN_FOUND_INL
+#endif
+
+#include "../corridor.hpp"
+#include "depths-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace safety_control_cloud {
+namespace HWY_NAMESPACE {
+namespace {
+
+using Integers = hn::RebindToUnsigned<Floats>;
+using Integer = hn::Vec<Integers>;
+using Mask = hn::Mask<Floats>;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+HWY_INLINE Float all(float value) { return hn::Set(Floats(), value); }
+HWY_INLINE Integer all_of(std::uint32_t value) { return hn::Set(Integers(), value); }
+
+/// A corridor in every lane.
+struct Walls {
+  Float x_min, x_max, y_min, y_max, range_min;
+
+  explicit HWY_INLINE Walls(const Corridor& corridor)
+      : x_min(all(corridor.x_min)),
+        x_max(all(corridor.x_max)),
+        y_min(all(corridor.y_min)),
+        y_max(all(corridor.y_max)),
+        range_min(all(corridor.range_min)) {}
+
+  HWY_INLINE Mask span(const Points& points) const { return hn::And(hn::Ge(points.x, x_min), hn::Le(points.x, x_max)); }
+};
+
+HWY_INLINE Mask is_return(const Points& points, const Walls& walls) {
+  // Zero times a finite number changes nothing, zero times any other is NaN.
+  const Float zero = all(0.0f);
+  const Float z_if_finite =
+      hn::MulAdd(points.x, zero, hn::MulAdd(points.y, zero, hn::MulAdd(points.z, zero, points.z)));
+  return hn::Gt(z_if_finite, walls.range_min);
+}
+
+/// The cloud's frame is the corridor's.
+struct Unplaced {
+  explicit HWY_INLINE Unplaced(const Gaze&) {}
+  HWY_INLINE Points operator()(const Points& points) const { return points; }
+  HWY_INLINE Mask ahead(const Points& placed) const { return hn::Gt(placed.z, all(0.0f)); }
+  HWY_INLINE Float below_camera(const Points& placed) const { return placed.y; }
+};
+
+/// Takes points to the corridor's axes, by the very operations of Placement.
+struct Placed {
+  Float xx, xy, xz, x0, yx, yy, yz, y0, zx, zy, zz, z0;
+
+  explicit HWY_INLINE Placed(const Gaze& gaze) : Placed(gaze.placement->rows) {}
+  HWY_INLINE Points operator()(const Points& points) const {
+    const auto along = [&](Float a, Float b, Float c, Float d) HWY_ATTR {
+      const Float across = hn::Add(hn::Mul(a, points.x), hn::Mul(b, points.y));
+      return hn::Add(hn::Add(across, hn::Mul(c, points.z)), d);
+    };
+    return {along(xx, xy, xz, x0), along(yx, yy, yz, y0), along(zx, zy, zz, z0)};
+  }
+  /// A far point may have overflowed on its way.
+  HWY_INLINE Mask ahead(const Points& placed) const {
+    return hn::And(hn::Gt(placed.z, all(0.0f)), hn::Lt(placed.z, all(infinity)));
+  }
+  HWY_INLINE Float below_camera(const Points& placed) const { return hn::Sub(placed.y, y0); }
+
+ private:
+  using Rows = std::array<std::array<float, 4>, 3>;
+  explicit HWY_INLINE Placed(const Rows& r)
+      : xx(all(r[0][0])),
+        xy(all(r[0][1])),
+        xz(all(r[0][2])),
+        x0(all(r[0][3])),
+        yx(all(r[1][0])),
+        yy(all(r[1][1])),
+        yz(all(r[1][2])),
+        y0(all(r[1][3])),
+        zx(all(r[2][0])),
+        zy(all(r[2][1])),
+        zz(all(r[2][2])),
+        z0(all(r[2][3])) {}
+};
+
+HWY_INLINE Mask is_too_close(const Points& points, const Walls& walls, bool anywhere) {
+  const Mask at_minus_infinity = hn::Eq(points.z, all(-infinity));
+  if (anywhere) return at_minus_infinity;
+  const Mask x_within = walls.span(points);
+  const Mask y_within = hn::And(hn::Ge(points.y, walls.y_min), hn::Le(points.y, walls.y_max));
+  const Mask x_maybe = hn::Or(x_within, hn::Not(hn::IsFinite(points.x)));
+  const Mask y_maybe = hn::Or(y_within, hn::Not(hn::IsFinite(points.y)));
+  return hn::And(at_minus_infinity, hn::And(x_maybe, y_maybe));
+}
+
+/// Points, in the corridor's axes, and which of them are what. Those in sight are inside or below the corridor.
+struct Found {
+  Points placed;
+  Mask returning, in_sight, not_below, inside;
+
+  template <class Placing>
+  HWY_INLINE Found(const Points& points, const Walls& walls, const Placing& place) : placed(place(points)) {
+    returning = is_return(points, walls);
+    const Mask ahead = hn::And(returning, place.ahead(placed));
+    in_sight = hn::And(ahead, hn::And(walls.span(placed), hn::Ge(placed.y, walls.y_min)));
+    not_below = hn::Le(placed.y, walls.y_max);
+    inside = hn::And(in_sight, not_below);
+  }
+};
+
+/// What pixels remember of these points, with the flag `now`, as signed numbers of 16 bits; 0 of those that are no
+/// returns.
+template <class Placing>
+HWY_INLINE hn::Vec<Signed> remembered(const Found& found, const Placing& place, Float near_distance) {
+  // From 2^23 on the bits of a float count in ones: adding rounds, as std::nearbyint does, and needs no conversion.
+  constexpr float two_to_23 = 8388608.0f;
+  constexpr std::int32_t bits_of_it = 0x4B000000;
+  const Float z = found.placed.z, farthest = all(static_cast<float>(PixelMemory::farthest));
+  const Float below = hn::Min(hn::Max(place.below_camera(found.placed), all(0.0f)), farthest);
+  const Float ground =
+      hn::Add(hn::Mul(below, all(PixelMemory::ground_per_metre)), all(two_to_23 + PixelMemory::ground_zero));
+  const Float ahead = hn::Add(hn::Mul(z, all(PixelMemory::near_per_metre)), all(two_to_23));
+  const Float code = hn::IfThenElse(found.not_below, ahead, ground);
+  const Float elsewhere = all(two_to_23 + PixelMemory::elsewhere);
+  const Float seen = hn::IfThenElse(hn::And(found.in_sight, hn::Lt(z, near_distance)), code, elsewhere);
+  const auto flagged = hn::Sub(hn::BitCast(Signed(), seen), hn::Set(Signed(), bits_of_it + PixelMemory::now));
+  return hn::IfThenElseZero(hn::RebindMask(Signed(), found.returning), flagged);
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace safety_control_cloud
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <string>
+#include <variant>
+
+#include "../input/cloud.hpp"
+
+namespace safety_control_cloud {
+
+/// Where the camera sits: takes a point from the cloud's frame to the corridor's axes (x right, y down, z forward).
+/// Rows of a 3x4 matrix [rotation | translation in m].
+struct Placement {
+  std::array<std::array<float, 4>, 3> rows = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+
+  /// In exactly this order of operations, so that every method gets the same float32.
+  Point operator()(float x, float y, float z) const {
+    const auto along = [&](const std::array<float, 4>& row) {
+      return ((row[0] * x + row[1] * y) + row[2] * z) + row[3];
+    };
+    return Point(along(rows[0]), along(rows[1]), along(rows[2]));
+  }
+};
+
+/// The corridor lies in the camera's own optical frame.
+struct OpticalFrame {};
+
+/// The corridor lies in another frame and nobody knows where the camera is in it.
+struct NoTransform {
+  std::string reason;
+};
+
+using Placing = std::variant<OpticalFrame, Placement, NoTransform>;
+
+}  // namespace safety_control_cloud

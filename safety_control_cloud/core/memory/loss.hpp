@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "../doubt/cause.hpp"
+#include "../look/corridor.hpp"
+
+namespace safety_control_cloud {
+
+/// Something near that is not among the returns in the corridor.
+struct Loss {
+  Cause cause = Cause::NearLoss;     ///< or LowObstacle
+  std::optional<Obstacle> obstacle;  ///< as it was last seen; none if only the floor before it was ever seen
+  bool whole = false;                ///< it has gone where the camera cannot see; not a few pixels at its edge
+  std::string reason;
+};
+
+/// What nobody sees any more has a distance [m], but no place.
+inline Obstacle remembered_at(double distance) {
+  constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+  return {Point(unknown, unknown, static_cast<float>(distance))};
+}
+
+}  // namespace safety_control_cloud

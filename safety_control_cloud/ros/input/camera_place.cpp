@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "camera_place.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <stdexcept>
+#include <tuple>
+
+namespace safety_control_cloud {
+namespace {
+
+/// [s] by which the newest transform may be older than a cloud: frames that move are published a little late.
+constexpr double transform_tolerance = 0.1;
+
+geometry_msgs::TransformStamped lookup(const tf2_ros::Buffer& buffer, const std::string& target_frame,
+                                       const std_msgs::Header& cloud) {
+  try {
+    return buffer.lookupTransform(target_frame, cloud.frame_id, cloud.stamp);
+  } catch (const tf2::ExtrapolationException&) {
+    const auto newest = buffer.lookupTransform(target_frame, cloud.frame_id, ros::Time(0));
+    const double late = cloud.stamp.toSec() - newest.header.stamp.toSec();
+    if (!(late >= 0.0 && late <= transform_tolerance)) throw;
+    return newest;
+  }
+}
+
+}  // namespace
+
+Placing to_placing(const geometry_msgs::Transform& cloud_in_target) {
+  const auto& [translation, rotation] = std::tie(cloud_in_target.translation, cloud_in_target.rotation);
+  const Eigen::Quaterniond turn(rotation.w, rotation.x, rotation.y, rotation.z);
+  if (!(std::abs(turn.norm() - 1.0) < 1e-3)) return NoTransform{"the transform's rotation is not a unit quaternion"};
+  Eigen::Matrix<double, 3, 4> to_target;
+  to_target << turn.normalized().toRotationMatrix(), Eigen::Vector3d(translation.x, translation.y, translation.z);
+  if (!to_target.allFinite()) return NoTransform{"the transform is not finite"};
+
+  Eigen::Matrix3d to_corridor;  // right = -left, down = -up, forward = forward
+  to_corridor << 0, -1, 0, 0, 0, -1, 1, 0, 0;
+  const Eigen::Matrix<float, 3, 4> rows = (to_corridor * to_target).cast<float>();
+  Placement placement;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      placement.rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = rows(row, column);
+    }
+  }
+  return placement;
+}
+
+Placing CameraPlace::at(const std_msgs::Header& cloud) const {
+  try {
+    return to_placing(lookup(buffer_, target_frame_, cloud).transform);
+  } catch (const std::runtime_error& problem) {  // tf2's own, and ros::Duration's for stamps that it cannot span
+    return NoTransform{problem.what()};
+  }
+}
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <std_msgs/Header.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <string>
+
+#include "../../core/look/placement.hpp"
+
+namespace safety_control_cloud {
+
+/// Knows where the camera is in the target frame (x forward, y left, z up).
+class CameraPlace {
+ public:
+  explicit CameraPlace(const std::string& target_frame) : target_frame_(target_frame), listener_(buffer_) {}
+
+  /// Where the camera was when the cloud was taken. A transform that is missing or too old is none.
+  Placing at(const std_msgs::Header& cloud) const;
+
+ private:
+  std::string target_frame_;
+  tf2_ros::Buffer buffer_;
+  tf2_ros::TransformListener listener_;
+};
+
+/// From the cloud's frame to the corridor's axes (x right, y down, z forward) over a frame with x forward, y left, z
+/// up.
+Placing to_placing(const geometry_msgs::Transform& cloud_in_target);
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A depth image shows what the cloud that depth_image_proc makes of it shows, to the bit, on 10,000 random images, with
+// every instruction set of this machine. CMake builds this test twice, as it does scan_test.
+#include "../../../safety_control_cloud/core/input/depth.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../../../safety_control_cloud/core/look/passthrough.hpp"
+#include "../../../safety_control_cloud/core/safety_control.hpp"
+#include "../../../safety_control_cloud/core/look/kernel/scan.hpp"
+#include "random_depth.hpp"
+#include "same_sight.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr std::uint64_t images = 10000;
+
+class DepthImage : public InstructionSet {};
+
+INSTANTIATE_TEST_SUITE_P(With, DepthImage, testing::ValuesIn(instruction_sets()),
+                         [](const auto& info) { return info.param; });
+
+TEST_P(DepthImage, ShowsWhatPclSeesInItsCloud) {
+  for (std::uint64_t seed = 0; seed < images; ++seed) {
+    const RandomDepth image(seed);
+    const Seen expected = seen_by(passthrough, image.cloud(), image);
+    for (const auto method : {look, passthrough}) {
+      const Seen seen = seen_by(method, image.view, image);
+      ASSERT_TRUE(same(seen.sight, expected.sight))
+          << "seed " << seed << ": " << words(seen.sight) << "; PCL: " << words(expected.sight);
+      ASSERT_EQ(seen.pixels, expected.pixels) << "seed " << seed;
+      ASSERT_TRUE(same(seen.near, expected.near)) << "seed " << seed;
+    }
+  }
+}
+
+TEST_P(DepthImage, AskingForTheCropDoesNotChangeWhatIsSeen) {
+  for (std::uint64_t seed = 0; seed < images / 10; ++seed) {
+    const RandomDepth image(seed);
+    Gaze keeping;
+    keeping.crop = Crop::Keep;
+    Sight with = look(image.view, image.corridor, keeping);
+    with.crop.reset();
+    ASSERT_TRUE(same(with, look(image.view, image.corridor))) << "seed " << seed;
+  }
+}
+
+/// 64 x 48 pixels, 60 degrees wide.
+struct Camera {
+  std::vector<float> pixels;
+  std::vector<Xyz> points;
+
+  explicit Camera(float depth) : pixels(64 * 48, depth) {}
+
+  DepthView view() const {
+    DepthView view;
+    view.bytes = reinterpret_cast<const std::uint8_t*>(pixels.data());
+    view.width = 64, view.height = 48, view.row_step = 64 * sizeof(float);
+    view.camera = {55.4, 55.4, 31.5, 23.5};
+    return view;
+  }
+};
+
+Decision decide(SafetyControl& control, const Camera& camera, double now) {
+  return control.decide(camera.view(), Origin{now}, Instant{now, now});
+}
+
+TEST(DepthImages, NearestPixelDecidesTheZone) {
+  SafetyControl control{Settings{}};
+  Camera camera(2.0f);
+  EXPECT_EQ(decide(control, camera, 1.0).zone, Zone::Safe);
+  camera.pixels[24 * 64 + 32] = 0.7f;
+  const Decision decision = decide(control, camera, 1.05);
+  EXPECT_EQ(decision.zone, Zone::Warning);
+  EXPECT_EQ(decision.nearest->point.z, 0.7f);
+}
+
+TEST(DepthImages, BlankImageIsBlind) {
+  SafetyControl control{Settings{}};
+  EXPECT_EQ(decide(control, Camera(nan), 1.0).cause, Cause::Blind);
+  EXPECT_EQ(decide(control, Camera(0.0f), 1.05).cause, Cause::Blind);
+  EXPECT_EQ(control.decide(DepthView{}, Origin{1.1}, Instant{1.1, 1.1}).cause, Cause::Blind) << "no pixels";
+}
+
+TEST(DepthImages, ObstacleThatStopsReturningIsKept) {
+  SafetyControl control{Settings{}};
+  Camera camera(2.0f);
+  for (std::size_t row = 10; row < 40; ++row) std::fill_n(camera.pixels.begin() + row * 64 + 25, 12, 0.45f);
+  EXPECT_EQ(decide(control, camera, 1.0).cause, Cause::Seen);
+  for (float& pixel : camera.pixels) pixel = pixel < 1.0f ? nan : pixel;
+  EXPECT_EQ(decide(control, camera, 1.05).cause, Cause::NearLoss);
+  EXPECT_EQ(decide(control, Camera(2.0f), 1.1).cause, Cause::Seen) << "seen behind it";
+}
+
+TEST(DepthImages, SameImageAgainAndAgainIsFrozen) {
+  Settings settings;
+  settings.frozen_clouds = 3;
+  SafetyControl control(settings);
+  Camera camera(2.0f);
+  decide(control, camera, 1.0);
+  decide(control, camera, 1.05);
+  EXPECT_EQ(decide(control, camera, 1.1).cause, Cause::Frozen);
+  camera.pixels.back() = 2.001f;
+  EXPECT_EQ(decide(control, camera, 1.15).cause, Cause::Seen);
+}
+
+/// Whatever came before, also where one row is no picture and the memory is the nearest point alone.
+TEST(DepthImages, SequenceIsDecidedAsItsCloudsAre) {
+  Settings settings;
+  settings.min_valid_ratio = 0.0;
+  for (std::uint64_t start = 0; start < images; start += 20) {
+    SafetyControl by_depth(settings), by_cloud(settings);
+    for (std::uint64_t seed = start; seed < start + 20; ++seed) {
+      const RandomDepth image(seed);
+      const double now = 0.05 * static_cast<double>(seed);
+      const Decision seen = by_depth.decide(image.view, Origin{now}, Instant{now, now});
+      const Decision expected = by_cloud.decide(image.cloud(), Origin{now}, Instant{now, now});
+      ASSERT_EQ(name_of(seen.cause), name_of(expected.cause)) << "seed " << seed;
+      ASSERT_EQ(seen.zone, expected.zone) << "seed " << seed;
+      ASSERT_EQ(seen.reason, expected.reason) << "seed " << seed;
+      ASSERT_TRUE(same(seen.sight, expected.sight)) << "seed " << seed;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace safety_control_cloud

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One pass == PCL on 10,000 random clouds, with every instruction set of this machine. CMake builds this test twice:
+// the second time with scan_portable.cpp among its own sources, which leaves the library's scan() out.
+#include "../../../safety_control_cloud/core/look/kernel/scan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "../../../safety_control_cloud/core/look/passthrough.hpp"
+#include "random_cloud.hpp"
+#include "same_sight.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr std::uint64_t clouds = 10000;
+
+INSTANTIATE_TEST_SUITE_P(With, InstructionSet, testing::ValuesIn(instruction_sets()),
+                         [](const auto& info) { return info.param; });
+
+TEST_P(InstructionSet, SeesInEveryCloudWhatPclSees) {
+  for (std::uint64_t seed = 0; seed < clouds; ++seed) {
+    const RandomCloud cloud(seed);
+    const Seen seen = seen_by(look, cloud.view, cloud), expected = seen_by(passthrough, cloud.view, cloud);
+    ASSERT_TRUE(same(seen.sight, expected.sight))
+        << "seed " << seed << ": " << words(seen.sight) << "; PCL: " << words(expected.sight);
+    ASSERT_EQ(seen.pixels, expected.pixels) << "seed " << seed;
+    ASSERT_TRUE(same(seen.near, expected.near)) << "seed " << seed;
+  }
+}
+
+TEST_P(InstructionSet, AskingForTheCropDoesNotChangeWhatIsSeen) {
+  for (std::uint64_t seed = 0; seed < clouds / 10; ++seed) {
+    const RandomCloud cloud(seed);
+    Seen with = seen_by(look, cloud.view, cloud, Crop::Keep), without = seen_by(look, cloud.view, cloud, Crop::Skip);
+    with.sight.crop.reset();
+    ASSERT_TRUE(same(with.sight, without.sight)) << "seed " << seed;
+    ASSERT_EQ(with.pixels, without.pixels) << "seed " << seed;
+    ASSERT_TRUE(same(with.near, without.near)) << "seed " << seed;
+  }
+}
+
+TEST_P(InstructionSet, OfAManyEquallyNearPointsTheFirstIsTheNearest) {
+  std::vector<Xyz> points(10 * Runs::longest, {0.0f, 0.0f, 2.0f});
+  for (std::size_t first : {std::size_t{0}, Runs::longest - 1, Runs::longest, 5 * Runs::longest + 7}) {
+    std::vector<Xyz> some = points;
+    for (std::size_t i = first; i < some.size(); ++i) some[i] = {static_cast<float>(i - first) * 1e-6f, 0.1f, 1.0f};
+    EXPECT_EQ(look(view_of(some), {}).nearest->point.x, 0.0f) << first;
+  }
+}
+
+constexpr std::array<WayToLook, 2> both_methods = {&look, &passthrough};
+
+/// A camera turned aside by 45 degrees: what is 3e38 m ahead of it and as far beside lies straight ahead of the robot,
+/// and farther than a float can tell.
+Placement looking_aside() {
+  constexpr float cos_45 = 0.70710678f;
+  Placement placement;
+  placement.rows = {{{cos_45, 0, -cos_45, 0}, {0, 1, 0, 0}, {cos_45, 0, cos_45, 0}}};
+  return placement;
+}
+const std::vector<Xyz> overflowing(40, {3e38f, 0.0f, 3e38f});
+
+TEST_P(InstructionSet, ReturnsThatOverflowWhenPlacedAreNotInside) {
+  const Placement placement = looking_aside();
+  Gaze gaze;
+  gaze.crop = Crop::Keep;
+  gaze.placement = &placement;
+  for (const WayToLook method : both_methods) {
+    const Sight sight = method(view_of(overflowing), {}, gaze);
+    EXPECT_EQ(sight.returns, overflowing.size());
+    EXPECT_EQ(sight.inside, std::size_t{0});
+    EXPECT_TRUE(sight.crop->empty());
+    EXPECT_FALSE(sight.nearest);
+  }
+}
+
+TEST_P(InstructionSet, PixelsWhoseReturnsOverflowWhenPlacedAreNotLost) {
+  const Placement placement = looking_aside();
+  for (const WayToLook method : both_methods) {
+    PixelMemory memory;
+    memory.distance = 0.75f, memory.width = overflowing.size(), memory.height = 1;
+    memory.pixels.assign(memory.width, PixelMemory::nothing);
+    Gaze gaze;
+    gaze.placement = &placement;
+    gaze.memory = &memory;
+    const std::vector<Xyz> near(overflowing.size(), {0.35f, 0.0f, 0.35f}), blank(overflowing.size(), {nan, nan, nan});
+    ASSERT_EQ(method(view_of(near), {}, gaze).inside, near.size());
+    EXPECT_EQ(method(view_of(overflowing), {}, gaze).lost, std::size_t{0}) << "they see past what was near";
+    EXPECT_EQ(method(view_of(blank), {}, gaze).lost, std::size_t{0}) << "and nothing near was seen since";
+  }
+}
+
+TEST(InstructionSets, ThereIsAlwaysOne) { EXPECT_FALSE(instruction_sets().empty()); }
+
+TEST(InstructionSets, OneThatTheMachineLacksIsRefused) {
+  EXPECT_THROW(use_instruction_set("ABACUS"), std::invalid_argument);
+}
+
+TEST(Runs, RowsOfNothingAreNoRuns) {
+  CloudView view;
+  view.height = std::size_t{1} << 32;
+  EXPECT_EQ(Runs(view).size(), std::size_t{0});
+}
+
+}  // namespace
+}  // namespace safety_control_cloud

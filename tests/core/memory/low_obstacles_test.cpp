@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../../safety_control_cloud/core/memory/low_obstacles.hpp"
+
+#include <gtest/gtest.h>
+
+#include "looking_robot.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+/// The front of something `height` [m] high that stands on the floor: behind it the floor is seen again.
+Board kerb(float z, float height, float width = 0.4f) { return {z, -width / 2, width / 2, floor_y - height, floor_y}; }
+
+/// What lies on the floor from z on, as deep as the camera sees.
+Scene with_plateau(float z, float height) {
+  std::vector<Board> boards;
+  for (float behind = z; behind < 0.9f; behind += 0.005f) boards.push_back(kerb(behind, height));
+  return Scene(boards);
+}
+
+TEST(LowObstacles, RobotSlowsBeforeAKerbAndStandsWhileItIsStillInSight) {
+  for (const float height : {0.05f, 0.085f}) {
+    Robot robot;
+    for (const float z : {1.2f, 1.0f, 0.8f}) EXPECT_EQ(robot.sees({kerb(z, height)}).speed, 0.2) << height;
+    for (const float z : {0.76f, 0.74f, 0.72f}) {
+      const Decision decision = robot.sees({kerb(z, height)});
+      EXPECT_EQ(decision.cause, Cause::LowObstacle) << height << " at " << z;
+      EXPECT_EQ(decision.speed, 0.1) << height << " at " << z;
+      EXPECT_NEAR(decision.nearest->distance(), z, 1e-6);
+    }
+    for (const float z : {0.65f, 0.63f, 0.60f}) {
+      const Decision decision = robot.sees({kerb(z, height)});
+      EXPECT_EQ(decision.cause, Cause::LowObstacle) << height << " at " << z;
+      EXPECT_EQ(decision.speed, 0.0) << height << " at " << z;
+    }
+    EXPECT_EQ(robot.sees(Scene()).speed, 0.2) << "the floor before it is seen again";
+  }
+}
+
+TEST(LowObstacles, RobotSlowsBeforeAStepOfThreeCentimetres) {
+  Robot robot;
+  EXPECT_EQ(robot.sees(with_plateau(0.72f, 0.03f)).speed, 0.1);
+  EXPECT_EQ(robot.sees(with_plateau(0.64f, 0.03f)).speed, 0.0);
+}
+
+TEST(LowObstacles, RobotSlowsBeforeAKerbAboveABorderThatNeverReturns) {
+  Robot robot;
+  Scene scene({kerb(0.74f, 0.05f)});
+  scene.blank_lowest_rows(3);
+  EXPECT_EQ(robot.sees(scene).cause, Cause::LowObstacle);
+}
+
+TEST(LowObstacles, CorridorOnTheFloorSeesTheSameKerb) {
+  Placement camera;
+  camera.rows[1][3] = -floor_y;
+  Settings settings;
+  settings.corridor.y_min -= floor_y;
+  settings.corridor.y_max -= floor_y;
+  Robot robot(settings, camera);
+  EXPECT_EQ(robot.sees({kerb(1.0f, 0.05f)}).speed, 0.2);
+  EXPECT_EQ(robot.sees({kerb(0.74f, 0.05f)}).cause, Cause::LowObstacle);
+  EXPECT_EQ(robot.sees({kerb(0.62f, 0.05f)}).speed, 0.0);
+  EXPECT_EQ(robot.sees(Scene()).speed, 0.2);
+}
+
+TEST(LowObstacles, NearerThanAnEdgeThatFlickersDecides) {
+  Settings settings;
+  settings.limits.danger = 0.73;
+  Robot robot(settings);
+  const Board low = {0.72f, -0.25f, 0.0f, floor_y - 0.05f, floor_y}, board = {0.745f, 0.05f, 0.20f, -0.2f, 0.1f};
+  Board less = board;
+  less.x_max = 0.18f;
+  robot.sees({low, board});
+  const Decision decision = robot.sees({low, less});
+  EXPECT_EQ(decision.cause, Cause::LowObstacle);
+  EXPECT_EQ(decision.speed, 0.0);
+}
+
+TEST(LowObstacles, TimeoutOfLossesForgetsNoneThatIsInSight) {
+  Settings settings;
+  settings.near_loss.timeout = 0.2;
+  Robot robot(settings);
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(robot.sees({kerb(0.74f, 0.05f)}).speed, 0.1) << i;
+  EXPECT_EQ(robot.sees({kerb(0.62f, 0.05f)}).speed, 0.0);
+  for (int i = 0; i < 5; ++i) robot.sees({kerb(0.62f, 0.05f)});
+  EXPECT_EQ(robot.sees({kerb(0.62f, 0.05f)}).speed, 0.2) << "out of sight since the timeout";
+}
+
+TEST(LowObstacles, RobotStandsForAsLongAsAPlateauFillsItsView) {
+  Robot robot;
+  for (const float z : {0.76f, 0.74f, 0.72f, 0.70f}) robot.sees(with_plateau(z, 0.05f));
+  for (int i = 0; i < 200; ++i) EXPECT_EQ(robot.sees(with_plateau(0.62f, 0.05f)).speed, 0.0);
+  EXPECT_EQ(robot.sees(Scene()).speed, 0.2);
+}
+
+TEST(LowObstacles, RobotStandsForAKerbThatHasComeTooNearToReturn) {
+  Robot robot;
+  for (const float z : {0.74f, 0.72f, 0.70f}) robot.sees({kerb(z, 0.085f)});
+  EXPECT_EQ(robot.sees({kerb(0.39f, 0.2f)}).speed, 0.0);
+}
+
+/// Every second row and column.
+CloudView halved(CloudView view) {
+  view.width /= 2, view.height /= 2;
+  view.point_step *= 2, view.row_step *= 2;
+  return view;
+}
+
+TEST(LowObstacles, AKerbOutlivesAChangeOfResolution) {
+  Robot robot;
+  for (const float z : {0.74f, 0.72f, 0.70f}) robot.sees(with_plateau(z, 0.05f));
+  EXPECT_EQ(robot.sees(halved(with_plateau(0.6f, 0.05f).view())).speed, 0.0);
+  EXPECT_EQ(robot.sees(halved(Scene().view())).speed, 0.2);
+}
+
+TEST(LowObstacles, RobotDrivesOverWhatItCanClimb) {
+  Robot robot;
+  for (float z = 0.8f; z > 0.4f; z -= 0.01f) EXPECT_EQ(robot.sees({kerb(z, 0.012f)}).speed, 0.2) << z;
+}
+
+TEST(LowObstacles, RobotDrivesOverABumpAndUpARamp) {
+  Robot robot;
+  for (const float nose_up : {0.0f, 0.03f, -0.05f, 0.05f, 0.0f, -0.03f, 0.0f}) {
+    EXPECT_NE(robot.sees(Scene({}, nose_up)).cause, Cause::LowObstacle) << nose_up;
+  }
+}
+
+TEST(LowObstacles, FootOfAnObstacleIsJudgedByTheDistanceOfTheObstacle) {
+  Robot robot;
+  for (float z = 0.9f; z > 0.51f; z -= 0.01f) {
+    const Decision decision = robot.sees({{z, -0.3f, 0.3f, -1.0f, floor_y}});
+    EXPECT_EQ(decision.cause, Cause::Seen) << z;
+    EXPECT_EQ(decision.speed, 0.1) << z;
+  }
+}
+
+TEST(LowObstacles, OneThinBladeOfGrassIsNone) {
+  Robot robot;
+  for (float z = 0.8f; z > 0.6f; z -= 0.01f) EXPECT_EQ(robot.sees({kerb(z, 0.06f, 0.01f)}).speed, 0.2) << z;
+}
+
+TEST(LowObstacles, RobotDrivesPastAKerbBesideTheCorridor) {
+  Robot robot;
+  for (float z = 0.8f; z > 0.5f; z -= 0.01f) {
+    EXPECT_EQ(robot.sees({{z, 0.31f, 0.6f, floor_y - 0.06f, floor_y}}).speed, 0.2) << z;
+  }
+}
+
+TEST(LowObstacles, ResetForgetsThemAndSoDoesSwitchingTheMemoryOff) {
+  Robot robot;
+  for (const float z : {0.74f, 0.72f, 0.70f}) robot.sees(with_plateau(z, 0.05f));
+  EXPECT_EQ(robot.sees(with_plateau(0.6f, 0.05f)).speed, 0.0);
+  robot.control().forget_losses();
+  EXPECT_EQ(robot.sees(with_plateau(0.6f, 0.05f)).speed, 0.2);
+
+  Settings settings;
+  settings.near_loss.distance = 0.0;
+  Robot blunt(settings);
+  for (const float z : {0.74f, 0.72f, 0.70f, 0.65f}) EXPECT_EQ(blunt.sees({kerb(z, 0.085f)}).speed, 0.2);
+}
+
+}  // namespace
+}  // namespace safety_control_cloud

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../../safety_control_cloud/core/memory/kept_nearest.hpp"
+
+#include <gtest/gtest.h>
+
+#include "looking_robot.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+TEST(KeptNearest, UnorganisedCloudKeepsItsNearestUntilSomethingIsSeenBehindIt) {
+  Robot robot;
+  const std::vector<Xyz> near = {{0.05f, 0.0f, 0.45f}, {0.0f, 1.0f, 3.0f}};
+  const std::vector<Xyz> lost = {{0.9f, 0.0f, 3.0f}, {0.0f, 1.0f, 3.0f}};
+  const std::vector<Xyz> behind = {{0.34f, 0.0f, 3.06f}, {0.0f, 1.0f, 3.0f}};
+  EXPECT_EQ(robot.sees(view_of(near)).cause, Cause::Seen);
+  const Decision decision = robot.sees(view_of(lost));
+  EXPECT_EQ(decision.cause, Cause::NearLoss);
+  EXPECT_FLOAT_EQ(static_cast<float>(decision.nearest->distance()), 0.45f);
+  EXPECT_EQ(decision.speed, 0.0);
+  EXPECT_EQ(robot.sees(view_of(behind)).speed, 0.2);
+}
+
+TEST(KeptNearest, AnotherOneFartherAwayDoesNotTakeItsPlace) {
+  Robot robot;
+  const std::vector<Xyz> both = {{0.0f, 0.0f, 0.45f}, {0.2f, 0.0f, 0.7f}, {0.0f, 1.0f, 3.0f}};
+  const std::vector<Xyz> farther = {{nan, nan, nan}, {0.2f, 0.0f, 0.7f}, {0.0f, 1.0f, 3.0f}};
+  const std::vector<Xyz> behind = {{0.0f, 0.0f, 3.0f}, {0.2f, 0.0f, 0.7f}, {0.0f, 1.0f, 3.0f}};
+  robot.sees(view_of(both));
+  EXPECT_EQ(robot.sees(view_of(farther)).cause, Cause::NearLoss);
+  EXPECT_EQ(robot.sees(view_of(farther)).speed, 0.0);
+  EXPECT_EQ(robot.sees(view_of(behind)).speed, 0.1);
+}
+
+TEST(KeptNearest, BehindIsAsTheCameraLooksWhereverTheCorridorLies) {
+  Placement on_the_floor;
+  on_the_floor.rows[1][3] = -0.3f;
+  Settings settings;
+  settings.corridor.y_min = -0.5f;
+  settings.corridor.y_max = -0.05f;
+  Robot robot(settings, on_the_floor);
+  const std::vector<Xyz> near = {{0.0f, 0.2f, 0.45f}, {0.0f, -1.0f, 3.0f}};
+  const std::vector<Xyz> above = {{0.0f, -0.367f, 3.0f}, {0.0f, -1.0f, 3.0f}};  // as from the floor it would be behind
+  const std::vector<Xyz> behind = {{0.0f, 0.444f, 1.0f}, {0.0f, -1.0f, 3.0f}};
+  robot.sees(view_of(near));
+  EXPECT_EQ(robot.sees(view_of(above)).cause, Cause::NearLoss);
+  EXPECT_EQ(robot.sees(view_of(behind)).speed, 0.2);
+}
+
+TEST(KeptNearest, CloudOfOneColumnIsNoPictureAndKeepsItsNearestToo) {
+  const auto column = [](const std::vector<Xyz>& points) {
+    CloudView view = view_of(points);
+    view.width = 1, view.height = points.size(), view.row_step = sizeof(Xyz);
+    return view;
+  };
+  Robot robot;
+  const std::vector<Xyz> near = {{0.0f, 0.0f, 0.6f}, {0.0f, 0.01f, 0.6f}, {0.0f, 1.0f, 3.0f}};
+  const std::vector<Xyz> lost = {{nan, nan, nan}, {nan, nan, nan}, {0.0f, 1.0f, 3.0f}};
+  robot.sees(column(near));
+  EXPECT_EQ(robot.sees(column(lost)).cause, Cause::NearLoss);
+}
+
+TEST(KeptNearest, PictureTooTallToCountStillKeepsItsNearest) {
+  std::vector<Xyz> points(2 * 65536, Xyz{0.0f, 0.0f, 0.6f});
+  CloudView tall = view_of(points);
+  tall.width = 2, tall.height = 65536, tall.row_step = 2 * sizeof(Xyz);
+  Robot robot;
+  robot.sees(tall);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = i % 2 ? Xyz{nan, nan, nan} : Xyz{0.9f, 0.0f, 3.0f};
+  EXPECT_EQ(robot.sees(tall).cause, Cause::NearLoss);
+}
+
+TEST(KeptNearest, UnorganisedObstacleThatWasTooCloseToMeasureDoesNotStopTheRobotForEver) {
+  Robot robot;
+  const std::vector<Xyz> too_close = {{nan, nan, -inf}, {0.0f, 1.0f, 3.0f}};
+  const std::vector<Xyz> free = {{0.9f, 0.0f, 3.0f}, {0.0f, 1.0f, 3.0f}};
+  EXPECT_EQ(robot.sees(view_of(too_close)).speed, 0.0);
+  EXPECT_EQ(robot.sees(view_of(free)).speed, 0.2);
+}
+
+TEST(KeptNearest, UnorganisedObstacleThatCameTooCloseToMeasureIsStillThere) {
+  Robot robot;
+  const std::vector<Xyz> near = {{0.0f, 0.0f, 0.6f}, {0.0f, 1.0f, 3.0f}};
+  const std::vector<Xyz> too_close = {{nan, nan, -inf}, {0.0f, 1.0f, 3.0f}};
+  const std::vector<Xyz> lost = {{nan, nan, nan}, {0.0f, 1.0f, 3.0f}};
+  robot.sees(view_of(near));
+  robot.sees(view_of(too_close));
+  EXPECT_EQ(robot.sees(view_of(lost)).cause, Cause::NearLoss);
+}
+
+TEST(KeptNearest, UnorganisedObstacleThatRetreatsIsNotLost) {
+  Robot robot;
+  const std::vector<Xyz> near = {{0.0f, 0.0f, 0.74f}, {0.0f, 1.0f, 3.0f}};
+  const std::vector<Xyz> farther = {{0.08f, 0.0f, 0.76f}, {0.0f, 1.0f, 3.0f}};
+  robot.sees(view_of(near));
+  EXPECT_EQ(robot.sees(view_of(farther)).cause, Cause::Seen);
+}
+
+}  // namespace
+}  // namespace safety_control_cloud

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../../safety_control_cloud/ros/output/messages.hpp"
+
+#include <gtest/gtest.h>
+#include <sensor_msgs/point_cloud2_iterator.h>
+
+#include <cmath>
+
+namespace safety_control_cloud {
+namespace {
+
+sensor_msgs::PointCloud2 message_of(std::size_t points) {
+  sensor_msgs::PointCloud2 cloud;
+  cloud.header.frame_id = "camera_depth_optical_frame";
+  cloud.header.stamp = ros::Time(12, 345678901);
+  sensor_msgs::PointCloud2Modifier modifier(cloud);
+  modifier.setPointCloud2FieldsByString(2, "xyz", "rgb");
+  modifier.resize(points);
+  return cloud;
+}
+
+TEST(Messages, CloudIsBorrowedNotCopied) {
+  const sensor_msgs::PointCloud2 cloud = message_of(5);
+  const Reading reading = view_of(cloud);
+  ASSERT_TRUE(std::holds_alternative<CloudView>(reading));
+  EXPECT_EQ(std::get<CloudView>(reading).bytes, cloud.data.data());
+  EXPECT_EQ(std::get<CloudView>(reading).size(), std::size_t{5});
+  EXPECT_EQ(std::get<CloudView>(reading).point_step, std::size_t{32});
+}
+
+TEST(Messages, CloudWithoutFieldsIsUnreadable) {
+  EXPECT_TRUE(std::holds_alternative<Unreadable>(view_of(sensor_msgs::PointCloud2())));
+}
+
+TEST(Messages, TwistHasTheSpeedForwardAndNothingElse) {
+  Decision decision;
+  decision.speed = 0.2;
+  const geometry_msgs::Twist twist = to_twist(decision);
+  EXPECT_EQ(twist.linear.x, 0.2);
+  EXPECT_EQ(twist.linear.y, 0.0);
+  EXPECT_EQ(twist.linear.z, 0.0);
+  EXPECT_EQ(twist.angular.x, 0.0);
+  EXPECT_EQ(twist.angular.y, 0.0);
+  EXPECT_EQ(twist.angular.z, 0.0);
+}
+
+TEST(Messages, DecisionAsItIsMadeSaysStop) { EXPECT_EQ(to_twist(Decision{}).linear.x, 0.0); }
+
+TEST(Messages, StateTellsFreeFromBlind) {
+  Decision decision;
+  decision.cause = Cause::Seen;
+  EXPECT_TRUE(std::isinf(to_state(decision, Settings{}, {}).nearest));
+  decision.cause = Cause::Blind;
+  EXPECT_TRUE(std::isnan(to_state(decision, Settings{}, {}).nearest));
+  EXPECT_TRUE(std::isnan(to_state(decision, Settings{}, {}).nearest_point.z));
+}
+
+TEST(Messages, StateNumbersAreTheCores) {
+  EXPECT_EQ(SafetyState::DANGER, static_cast<int>(Zone::Danger));
+  EXPECT_EQ(SafetyState::WARNING, static_cast<int>(Zone::Warning));
+  EXPECT_EQ(SafetyState::SAFE, static_cast<int>(Zone::Safe));
+}
+
+TEST(Messages, EveryCauseBearsTheSameNumberAndNameInTheMessage) {
+  const std::vector<std::pair<int, const char*>> causes = {{SafetyState::SEEN, "SEEN"},
+                                                           {SafetyState::NO_CLOUD, "NO_CLOUD"},
+                                                           {SafetyState::SILENT, "SILENT"},
+                                                           {SafetyState::UNREADABLE, "UNREADABLE"},
+                                                           {SafetyState::BLIND, "BLIND"},
+                                                           {SafetyState::STALE, "STALE"},
+                                                           {SafetyState::FUTURE, "FUTURE"},
+                                                           {SafetyState::CLOCK_JUMP, "CLOCK_JUMP"},
+                                                           {SafetyState::NEAR_LOSS, "NEAR_LOSS"},
+                                                           {SafetyState::FROZEN, "FROZEN"},
+                                                           {SafetyState::NO_TRANSFORM, "NO_TRANSFORM"},
+                                                           {SafetyState::TWO_SOURCES, "TWO_SOURCES"},
+                                                           {SafetyState::LOW_OBSTACLE, "LOW_OBSTACLE"}};
+  for (const auto& [number, name] : causes) EXPECT_STREQ(name_of(static_cast<Cause>(number)), name);
+  EXPECT_STREQ(name_of(static_cast<Cause>(causes.size())), "UNKNOWN") << "a cause is missing in this table";
+}
+
+TEST(Messages, NearestPointStandsInTheTargetFrameIfThereIsOne) {
+  Settings settings;
+  settings.target_frame = "base_footprint";
+  Decision decision;
+  decision.cause = Cause::Seen;
+  decision.nearest = Obstacle{Point(0.1f, -0.3f, 0.8f)};  // right, down, forward
+  const SafetyState state = to_state(decision, settings, message_of(1).header);
+  EXPECT_EQ(state.nearest_frame, "base_footprint");
+  EXPECT_FLOAT_EQ(static_cast<float>(state.nearest_point.x), 0.8f) << "forward";
+  EXPECT_FLOAT_EQ(static_cast<float>(state.nearest_point.y), -0.1f) << "left";
+  EXPECT_FLOAT_EQ(static_cast<float>(state.nearest_point.z), 0.3f) << "up";
+}
+
+TEST(Messages, OutputKeepsTheStampToTheNanosecondAndTheFrame) {
+  const std_msgs::Header header = message_of(0).header;
+  Cloud crop;
+  crop.push_back(Point(0.1f, 0.2f, 0.3f));
+  const sensor_msgs::PointCloud2 output = to_output(crop, header);
+  EXPECT_EQ(output.header.stamp, header.stamp);
+  EXPECT_EQ(output.header.frame_id, header.frame_id);
+  const sensor_msgs::PointCloud2ConstIterator<float> x(output, "x");
+  EXPECT_EQ(x[0], 0.1f);
+  EXPECT_EQ(x[1], 0.2f);
+  EXPECT_EQ(x[2], 0.3f);
+}
+
+}  // namespace
+}  // namespace safety_control_cloud
