@@ -5,11 +5,6 @@
 
 namespace safety_control_cloud {
 
-struct Speeds {
-  double safe = 0.2;     ///< [m/s] forward in the Safe zone
-  double warning = 0.1;  ///< [m/s] forward in the Warning zone
-};
-
 /// [m/s] forward. In Danger it is 0 and no setting changes that.
 double speed_for(Zone zone, const Speeds& speeds);
 

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "settings.hpp"
+
 namespace safety_control_cloud {
 
 /// Ordered: a smaller zone is a worse one.
@@ -11,18 +13,7 @@ enum class Zone : std::uint8_t { Danger = 0, Warning = 1, Safe = 2 };
 
 const char* name_of(Zone zone);  ///< "Danger", "Warning" or "Safe"
 
-struct ZoneLimits {
-  double warning = 1.0;  ///< [m] along z; farther is Safe
-  double danger = 0.5;   ///< [m] along z; at this distance or nearer is Danger
-};
-
 Zone zone_at(double distance, const ZoneLimits& limits);
-
-/// How long a better zone must last before it is believed.
-struct Hold {
-  std::size_t clouds = 1;  ///< successive clouds that show it
-  double time = 0.0;       ///< [s] since the first of them
-};
 
 /// Worsens at once and recovers only after the hold, and then to the worst zone seen during it.
 class ZoneLatch {

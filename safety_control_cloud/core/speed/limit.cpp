@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "limit.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "../path/escape.hpp"
+#include "straying.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double step = 0.7;         // from one factor that is tried to the next
+constexpr double least_step = 0.03;  // below it the last margin serves for all
+
+/// Who wants what, and what is known: the arguments of limit() that never change while it thinks.
+struct Question {
+  const Outline& outline;
+  const Law& law;
+  const Obstacles& obstacles;
+  Twist2 under_way, wanted;
+  Response response;
+
+  Straying straying_at(const Factors& factors) const {
+    return straying(outline, law, response, under_way, wanted, factors);
+  }
+  /// [s] of the wanted twist until the robot stands.
+  double duration(double factor) const { return stopping_time(factor, response.reaction, response.braking); }
+  /// [m] by which an obstacle may come nearer until then.
+  double approach(double factor) const { return law.obstacle_speed * (response.reaction + factor * response.braking); }
+  Sweep sweep(double widening, double factor) const {
+    return {outline, wanted, obstacles.widening + widening + approach(factor), duration(factor) * (1.0 + 1e-9)};
+  }
+  /// [s] A contact before leaves less than the least factor, whatever else there is.
+  double hopeless(double least, double share) const {
+    const double needed = std::max(duration(least), stopping_time(share, response.delay, response.braking));
+    return std::max(std::numeric_limits<double>::min(), needed * (1.0 - 1e-9));
+  }
+  Limit answer(double most, double share, const Contact& first) const {
+    return {std::min(most, greatest_factor(first.time, response, share)), first, false};
+  }
+};
+
+/// `suspect`: what stood in the way of a greater factor; where it still does, nothing else is looked at.
+Limit tried(const Question& question, const Factors& factors, std::optional<std::size_t> suspect) {
+  const Straying off = question.straying_at(factors);
+  const Sweep sweep = question.sweep(off.widening, std::max(factors.most, off.share));
+  const double hopeless = question.hopeless(factors.least, off.share);
+  const auto time_of = [&](const Point2& point) { return sweep.time_to_contact(point); };
+  if (suspect && question.law.min_points <= 1) {
+    const double time = time_of(question.obstacles.points[*suspect]);
+    if (time < hopeless) return question.answer(factors.most, off.share, {time, suspect});
+  }
+  return question.answer(factors.most, off.share,
+                         contact(question.obstacles, question.law.min_points, hopeless, time_of));
+}
+
+/// Without regard to what is inside the margin already and may be left: that is touched at once.
+Limit by_the_law(const Question& question) {
+  Limit limit = tried(question, {1.0, 1.0}, std::nullopt);
+  if (limit.factor >= 1.0) return limit;
+  for (double most = 1.0; most > least_step; most *= step) {
+    limit = tried(question, {step * most, most}, limit.contact.point);
+    if (limit.factor >= step * most) return limit;
+  }
+  return tried(question, {0.0, least_step}, limit.contact.point);
+}
+
+/// The time to contact of what is outside; of what is inside, whether it comes nearer.
+double time_on_the_way_out(const Question& question, const Sweep& sweep, double duration, double off,
+                           const Point2& point) {
+  const double time = sweep.time_to_contact(point);
+  if (time > 0.0 || question.obstacles.widening > 0.0) return time;
+  const double allowance = allowance_for(question.outline.signed_distance(point), question.law.noise) - off;
+  const bool nearer = comes_nearer(question.outline, question.wanted, point, duration, allowance);
+  return nearer ? 0.0 : std::numeric_limits<double>::infinity();
+}
+
+Limit on_the_way_out(const Question& question, double factor) {
+  const Straying off = question.straying_at({0.0, factor});
+  const double most = std::max(factor, off.share);
+  const Sweep sweep = question.sweep(off.widening, most);
+  const auto time_of = [&](const Point2& point) {
+    return time_on_the_way_out(question, sweep, question.duration(most), off.widening, point);
+  };
+  const double hopeless = question.hopeless(0.0, off.share);
+  Limit limit =
+      question.answer(factor, off.share, contact(question.obstacles, question.law.min_points, hopeless, time_of));
+  limit.is_escape = limit.factor > 0.0;
+  return limit;
+}
+
+/// On the way out a robot that strays less, as it drives less, may pass what another may not.
+Limit limit_from(const Question& question, double escape) {
+  Limit best = by_the_law(question);
+  for (double factor = escape; factor > best.factor && factor > 0.2 * escape; factor *= 0.5) {
+    const Limit out = on_the_way_out(question, factor);
+    if (out.factor > best.factor) best = out;
+  }
+  return best;
+}
+
+}  // namespace
+
+Limit limit(const Outline& outline, const Law& law, const Obstacles& obstacles, double age,
+            const std::vector<Twist2>& under_way, const Twist2& wanted) {
+  const Limit standing{0.0, {0.0, std::nullopt}, false};
+  if (!is_sound(wanted)) return standing;
+  const double fastest = fastest_point(outline, wanted);
+  if (fastest == 0.0) return {};
+  const double escape = std::min(1.0, law.escape_speed / fastest);
+  Question question{outline, law, obstacles, {}, wanted, response_to(law, age, wanted)};
+  Limit least = under_way.empty() ? limit_from(question, escape) : Limit{};
+  for (const Twist2& twist : under_way) {
+    if (!is_sound(twist)) return standing;
+    question.under_way = twist;
+    const Limit limit = limit_from(question, escape);
+    if (limit.factor < least.factor) least = limit;
+  }
+  return least;
+}
+
+}  // namespace safety_control_cloud

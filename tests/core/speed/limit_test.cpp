@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// tests/python/path asks it in many scenes, and drives by it.
+#include "../../../safety_control_cloud/core/speed/limit.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../../../safety_control_cloud/core/speed/straying.hpp"
+#include "../path/footprints.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+Limit limit_before(const Obstacles& obstacles, const Twist2& wanted, const std::vector<Twist2>& under_way = {}) {
+  return limit(circle(0.2, 0.05), Law{}, obstacles, 0.0, under_way, wanted);
+}
+
+Obstacles wall_at(double x) { return {{{x, 0.0}}, {}, 0.0}; }
+
+TEST(Limit, WithNothingAroundEveryWishPasses) {
+  const Limit limit = limit_before({}, {5.0, -3.0, 2.0}, {{-4.0, 0.0, 1.0}});
+  EXPECT_EQ(limit.factor, 1.0);
+  EXPECT_FALSE(limit.contact.point);
+}
+
+TEST(Limit, OfSeveralMotionsUnderWayTheWorstDecides) {
+  const double alone = limit_before(wall_at(0.45), {0.3, 0.0, 0.0}, {{0.3, 0.0, 0.0}}).factor;
+  EXPECT_GT(alone, 0.0);
+  EXPECT_EQ(limit_before(wall_at(0.45), {0.3, 0.0, 0.0}, {{0.3, 0.0, 0.0}, {0.9, 0.0, 0.0}}).factor, 0.0);
+  EXPECT_EQ(limit_before(wall_at(0.45), {0.3, 0.0, 0.0}, {{0.3, 0.0, 0.0}, {NAN, 0.0, 0.0}}).factor, 0.0);
+}
+
+TEST(Limit, ReducedObstaclesAreWidened) {
+  Obstacles obstacles = wall_at(0.45);
+  const double exact = limit_before(obstacles, {0.5, 0.0, 0.0}).factor;
+  obstacles.widening = 0.05;
+  const double widened = limit_before(obstacles, {0.5, 0.0, 0.0}).factor;
+  EXPECT_LT(widened, exact);
+  EXPECT_DOUBLE_EQ(widened, limit_before(wall_at(0.40), {0.5, 0.0, 0.0}).factor);
+}
+
+TEST(Limit, ReducedObstaclesInsideTheMarginAreNoWayOut) {
+  Obstacles obstacles = wall_at(0.22);
+  EXPECT_TRUE(limit_before(obstacles, {-0.1, 0.0, 0.0}).is_escape);
+  obstacles.widening = 0.01;
+  EXPECT_EQ(limit_before(obstacles, {-0.1, 0.0, 0.0}).factor, 0.0);
+}
+
+TEST(Limit, TheWayOutIsClosedWhileTheRobotStillMovesOtherwise) {
+  EXPECT_EQ(limit_before(wall_at(0.22), {-0.1, 0.0, 0.0}, {{0.2, 0.0, 0.0}}).factor, 0.0);
+  EXPECT_GT(limit_before(wall_at(0.22), {-0.1, 0.0, 0.0}, {{-0.1, 0.0, 0.0}}).factor, 0.0);
+}
+
+TEST(Limit, SaysWhatDecided) {
+  const Limit limit = limit_before({{{3.0, 0.0}, {0.45, 0.0}, {1.0, 0.0}}, {}, 0.0}, {0.5, 0.0, 0.0});
+  EXPECT_EQ(limit.contact.point, 1u);
+  EXPECT_DOUBLE_EQ(limit.contact.time, 0.4);
+}
+
+TEST(Straying, IsLessForWhoDrivesLess) {
+  const Law law;
+  const Outline outline = long_robot();
+  const Twist2 wanted{0.5, 0.0, 0.5};
+  const Response response = response_to(law, 0.0, wanted);
+  double before = infinity;
+  for (const double most : {1.0, 0.7, 0.3, 0.1}) {
+    const double widening = straying(outline, law, response, {}, wanted, {0.0, most}).widening;
+    EXPECT_LT(widening, before);
+    before = widening;
+  }
+  EXPECT_LT(before, 0.01);
+}
+
+}  // namespace
+}  // namespace safety_control_cloud
