@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-KERNEL = Path(__file__).resolve().parent.parent / "safety_control_cloud" / "core" / "scan_simd.cpp"
+KERNEL = Path(__file__).resolve().parent.parent / "safety_control_cloud" / "core" / "look" / "kernel" / "scan_simd.cpp"
 COMPILER = "aarch64-linux-gnu-g++"
 HEADERS = Path("/usr/include")
 PORTABLE_HEADERS = ("boost", "eigen3", "hwy")  # and PCL's; all else there is for this machine's processor

@@ -34,7 +34,10 @@ void bind_results(py::module& module) {
       .value("FROZEN", core::Cause::Frozen)
       .value("NO_TRANSFORM", core::Cause::NoTransform)
       .value("TWO_SOURCES", core::Cause::TwoSources)
-      .value("LOW_OBSTACLE", core::Cause::LowObstacle);
+      .value("LOW_OBSTACLE", core::Cause::LowObstacle)
+      .value("TWO_COMMANDERS", core::Cause::TwoCommanders)
+      .value("WRONG_VIEW", core::Cause::WrongView)
+      .value("NO_TIME", core::Cause::NoTime);
   py::class_<core::Obstacle>(module, "Obstacle")
       .def_property_readonly("distance", &core::Obstacle::distance)
       .def_property_readonly("point", [](const core::Obstacle& obstacle) {
@@ -46,7 +49,6 @@ void bind_results(py::module& module) {
       .def_readonly("too_close", &core::Sight::too_close)
       .def_readonly("returns", &core::Sight::returns)
       .def_readonly("total", &core::Sight::total)
-      .def_readonly("lost", &core::Sight::lost)
       .def_property_readonly("crop", [](const core::Sight& sight) { return array_over(sight.crop); });
   py::class_<core::Decision>(module, "Decision")
       .def_readonly("zone", &core::Decision::zone)

@@ -19,19 +19,31 @@ py::object object_of(const Value& value) {
 
 template <class Choice, class Named>
 void take_choice(const py::handle& given, Choice& value, Named named, const char* otherwise) {
-  const std::optional<Choice> choice = named(given.cast<std::string>());
+  const auto choice = py::isinstance<py::str>(given) ? named(given.cast<std::string>()) : std::nullopt;
   if (!choice) throw py::value_error(otherwise);
   value = *choice;
 }
 
 template <class Value>
-void take(const py::handle& given, Value& value) {
-  value = given.cast<Value>();
+const char* kind_of(const Value&) {
+  return std::is_same_v<Value, std::string> ? "a name" : std::is_integral_v<Value> ? "a whole number" : "a number";
 }
-void take(const py::handle& given, core::Input& value) {
+
+template <class Value>
+void take(const py::handle& given, Value& value, const std::string& name) {
+  try {
+    value = given.cast<Value>();
+  } catch (const py::cast_error&) {
+    throw py::type_error(name + " must be " + kind_of(value));
+  }
+}
+void take(const py::handle& given, core::InputKind& value, const std::string&) {
   take_choice(given, value, core::input_named, "input must be 'cloud' or 'depth'");
 }
-void take(const py::handle& given, core::Method& value) {
+void take(const py::handle& given, core::MinusInf& value, const std::string&) {
+  take_choice(given, value, core::minus_inf_named, "depth_minus_inf must be 'too_close' or 'nothing'");
+}
+void take(const py::handle& given, core::Method& value, const std::string&) {
   take_choice(given, value, core::method_named, "method must be 'one_pass' or 'pcl'");
 }
 
@@ -51,7 +63,7 @@ void set_parameter(core::Settings& settings, const std::string& name, const py::
   core::for_each_parameter(settings, [&](const char* candidate, auto& value) {
     if (name != candidate) return;
     known = true;
-    take(given, value);
+    take(given, value, name);
   });
   if (!known) throw no_parameter(name);
 }

@@ -7,8 +7,8 @@
 #include <csignal>
 #include <cstdlib>
 
-#include "parameters.hpp"
 #include "input/receive_memory.hpp"
+#include "parameters.hpp"
 #include "safety_node.hpp"
 
 namespace {
@@ -51,7 +51,6 @@ int main(int argc, char** argv) {
     ROS_FATAL("%s", problem.what());
     return EXIT_FAILURE;
   }
-  ros::WallDuration(0.1).sleep();  // roscpp sends from a thread of its own; give it time for the last command
   ros::shutdown();
   return EXIT_SUCCESS;
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "command/last_word.hpp"
 #include "safety_node.hpp"
 
 namespace safety_control_cloud {
@@ -13,9 +14,11 @@ namespace safety_control_cloud {
 class SafetyControlNodelet : public nodelet::Nodelet {
   void onInit() override {
     node_ = std::make_unique<SafetyNode>(getNodeHandle(), getPrivateNodeHandle(), Delivery::Shared);
+    last_word_ = std::make_unique<LastWord>([this] { node_->end(); });
   }
 
   std::unique_ptr<SafetyNode> node_;
+  std::unique_ptr<LastWord> last_word_;  ///< of the node: goes before it
 };
 
 }  // namespace safety_control_cloud

@@ -102,7 +102,10 @@ struct Taking {
   std::optional<std::string> into(Method& setting) const {
     return into_choice(setting, method_named, "must be one_pass or pcl");
   }
-  std::optional<std::string> into(Input& setting) const {
+  std::optional<std::string> into(MinusInf& setting) const {
+    return into_choice(setting, minus_inf_named, "must be too_close or nothing");
+  }
+  std::optional<std::string> into(InputKind& setting) const {
     return into_choice(setting, input_named, "must be cloud or depth");
   }
 

@@ -2,7 +2,6 @@
 #include "reconfigure.hpp"
 
 #include <dynamic_reconfigure/config_tools.h>
-#include <ros/console.h>
 
 #include <stdexcept>
 #include <string>
@@ -35,20 +34,21 @@ Settings settings_with(const Settings& in_force, const SafetyControlConfig& cand
 
 }  // namespace
 
-Reconfigure::Reconfigure(const ros::NodeHandle& private_handle, SafetyControl& control)
-    : control_(control), server_(private_handle) {
+Reconfigure::Reconfigure(const ros::NodeHandle& private_handle, SafetyControl& control, Log& log)
+    : control_(control), log_(log), server_(private_handle) {
   server_.setCallback([this](SafetyControlConfig& candidate, std::uint32_t) { on_candidate(candidate); });
 }
 
 void Reconfigure::on_candidate(SafetyControlConfig& candidate) {
   try {
-    control_.take(settings_with(control_.settings(), candidate));
+    control_.adopt(settings_with(control_.settings(), candidate));
     candidate.refusal.clear();
     in_force_ = candidate;
+    for (const auto& doubt : doubts_about(control_.settings())) log_.warn(doubt);
   } catch (const std::invalid_argument& problems) {
     candidate = in_force_;
     candidate.refusal = problems.what();
-    ROS_ERROR("refused to reconfigure: %s", problems.what());
+    log_.error(std::string("refused to reconfigure: ") + problems.what());
   }
 }
 

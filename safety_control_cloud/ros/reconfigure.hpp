@@ -6,19 +6,22 @@
 #include <safety_control_cloud/SafetyControlConfig.h>
 
 #include "../core/safety_control.hpp"
+#include "output/log.hpp"
 
 namespace safety_control_cloud {
 
 /// The numbers of the settings, live over dynamic_reconfigure. A candidate is checked as a whole and taken whole or not
-/// at all; if not, the caller gets the settings that stay in force, and the reasons in `refusal`.
+/// at all; if not, the caller gets the settings that stay in force, and the reasons in `refusal`. What is fit but
+/// unwise is said at start, when the server hands over its first candidate, and at every change.
 class Reconfigure {
  public:
-  Reconfigure(const ros::NodeHandle& private_handle, SafetyControl& control);
+  Reconfigure(const ros::NodeHandle& private_handle, SafetyControl& control, Log& log);
 
  private:
   void on_candidate(SafetyControlConfig& candidate);
 
   SafetyControl& control_;
+  Log& log_;
   /// As it was given: a float32 limit read back would show as -0.30000001192.
   SafetyControlConfig in_force_ = SafetyControlConfig::__getDefault__();
   dynamic_reconfigure::Server<SafetyControlConfig> server_;

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "safety_node.hpp"
 
-#include <geometry_msgs/Twist.h>
 #include <sensor_msgs/PointCloud2.h>
-#include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
-#include "output/markers.hpp"
+#include "command/leaving.hpp"
+#include "input/inputs.hpp"
 #include "output/messages.hpp"
 #include "parameters.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
-constexpr double log_period = 1.0;      ///< [s] between two lines that say the same
-constexpr double markers_period = 0.1;  ///< [s] rviz needs no more
 constexpr double shortest_wait = 1e-3;  ///< [s] so that a timer that is due does not spin
-constexpr double recording_age = 60.0;  ///< [s] an older stamp is a recording's, not a slow camera's
+constexpr double reset_period = 1.0;    ///< [s] a program that resets again and again is as good as no memory
+constexpr double kept_period = 0.5;     ///< [s] after which what is near is written down though the cause is the same
+constexpr char nothing_known[] = "the ROS master tells nothing of what was near before this start";
+constexpr double slack = 0.1;  ///< [s] by which the node may be late until another thread commands zero
 
 /// [s] Not ros::Time's own difference, which throws beyond 2^31 s: a stamp may be anything.
 double age_of(const std_msgs::Header& cloud) { return ros::Time::now().toSec() - cloud.stamp.toSec(); }
@@ -27,43 +27,44 @@ double seconds_since(const ros::SteadyTime& then) { return (ros::SteadyTime::now
 
 Instant now() { return Instant{ros::SteadyTime::now().toSec(), ros::Time::now().toSec()}; }
 
-/// What to do about a stamp that is far from now, if that is plain.
-const char* advice_for(const Decision& decision, const std_msgs::Header& cloud) {
-  if (decision.cause != Cause::Stale && decision.cause != Cause::Future) return "";
-  if (ros::Time::isSimTime() && ros::Time::now().isZero()) return " (use_sim_time is set and nobody publishes /clock)";
-  const bool recording = std::abs(age_of(cloud)) > recording_age;
-  return recording ? " (a recording needs: rosparam set use_sim_time true, rosbag play --clock)" : "";
-}
+/// [s] in which a node that runs does something.
+double longest_gap(const Settings& settings) { return std::max(settings.source_timeout, 2.0 / settings.publish_rate); }
 
 }  // namespace
 
 SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Delivery delivery)
     : control_(load_settings(private_handle)),
-      command_(handle.advertise<geometry_msgs::Twist>("cmd_vel_mux/input/teleop", 1)),
+      keepsake_(private_handle, [this](const std::string& line) { log_.warn(line); }),
+      commands_(handle, "cmd_vel_mux/input/teleop", [this] { on_quiet(); }),
       output_(handle.advertise<sensor_msgs::PointCloud2>("output", 1)),
-      state_(private_handle.advertise<SafetyState>("state", 1, true)),
-      markers_(private_handle.advertise<visualization_msgs::MarkerArray>("markers", 1, true)),
+      reports_(private_handle, log_),
       reset_(private_handle.advertiseService("reset", &SafetyNode::on_reset, this)),
-      reconfigure_(private_handle, control_),
+      reconfigure_(private_handle, control_, log_),
       diagnostics_(handle, private_handle) {
-  for (const auto& doubt : doubts_about(control_.settings())) ROS_WARN("%s", doubt.c_str());
+  if (keepsake_.found()) control_.recall(*keepsake_.found());
   const std::string& target_frame = control_.settings().target_frame;
   if (!target_frame.empty()) camera_place_ = std::make_unique<CameraPlace>(target_frame);
   constexpr bool once = true, not_yet = false;
-  quiet_ = handle.createSteadyTimer(ros::WallDuration(1.0), &SafetyNode::on_quiet, this, once, not_yet);
-  const OnArrival arrived = [this](const Arrival& arrival) { on_arrival(arrival); };
-  if (control_.settings().input == Input::Depth) {
-    depths_ = std::make_unique<DepthInput>(handle, private_handle, "camera/depth/image_rect", delivery, arrived);
-  } else {
-    clouds_ = subscribe_clouds(handle, "camera/depth/points", delivery, arrived);
-  }
-  publish(control_.without_cloud(now()));
+  const auto wake = [this](const ros::SteadyTimerEvent&) { on_quiet(); };
+  quiet_ = handle.createSteadyTimer(ros::WallDuration(1.0), wake, once, not_yet);
+  if (!keepsake_.found()) log_.warn(nothing_known);
+  on_quiet();
+  input_ = input_of(
+      control_.settings().input, handle, private_handle, delivery,
+      [this](const Arrival& arrival) { on_arrival(arrival); }, [this](const std::string& line) { log_.warn(line); });
 }
 
-SafetyNode::~SafetyNode() { command_.publish(geometry_msgs::Twist()); }
+SafetyNode::~SafetyNode() {
+  commands_.end();
+  let_it_leave();
+}
 
 void SafetyNode::on_arrival(const Arrival& arrival) {
-  ROS_INFO_ONCE("%s arrived", depths_ ? "Depth image" : "Point cloud");
+  if (last_cloud_.isZero()) log_.info(std::string(input_->what()) + " arrived");
+  beat();
+  const double silence = last_cloud_.isZero() ? 0.0 : seconds_since(last_cloud_);
+  const bool silence_was_said = said_ == Cause::Silent;
+  if (silence > control_.settings().source_timeout && !silence_was_said) publish(control_.without_cloud(now()));
   last_cloud_ = ros::SteadyTime::now();
   header_ = arrival.header;
   const Decision decision = decide(arrival);
@@ -75,7 +76,8 @@ void SafetyNode::on_arrival(const Arrival& arrival) {
 
 /// The one border where an exception becomes a decision: whatever went wrong, the robot stands.
 Decision SafetyNode::decide(const Arrival& arrival) {
-  Origin origin{arrival.header.stamp.toSec(), OpticalFrame{}, arrival.source};
+  Origin origin{arrival.header.stamp.toSec(), OpticalFrame{}, arrival.source, arrival.header.frame_id};
+  control_.note_outside(doubt_about(arrival.header));
   try {
     origin.placing = placing_of(arrival.header);
     const Crop crop = output_.getNumSubscribers() > 0 ? Crop::Keep : Crop::Skip;
@@ -89,56 +91,75 @@ Placing SafetyNode::placing_of(const std_msgs::Header& cloud) const {
   return camera_place_ ? camera_place_->at(cloud) : Placing(OpticalFrame{});
 }
 
-void SafetyNode::on_quiet(const ros::SteadyTimerEvent&) {
+void SafetyNode::on_quiet() {
+  beat();
+  control_.note_outside(doubt_without_cloud());
   const Decision decision = control_.without_cloud(now());
   publish(decision);
   diagnostics_.on_quiet(decision);
 }
 
 bool SafetyNode::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& answer) {
+  answer.success = last_reset_.isZero() || seconds_since(last_reset_) >= reset_period;
+  answer.message = answer.success ? "near obstacles lost from sight are forgotten"
+                                  : "refused: near obstacles are forgotten at most once a second";
+  log_.warn("~reset: " + answer.message);
+  if (!answer.success) return true;
+  last_reset_ = ros::SteadyTime::now();
   control_.forget_losses();
-  answer.success = true;
-  answer.message = "near obstacles lost from sight are forgotten";
+  keepsake_.keep(control_.remembered());
+  reports_.count_reset();
   return true;
 }
 
+void SafetyNode::beat() {
+  const Instant moment = now();
+  gap_.beat(moment.steady, moment.ros, longest_gap(control_.settings()));
+}
+
+/// Why the robot stands whatever was seen last.
+std::optional<Doubt> SafetyNode::doubt_without_cloud() {
+  if (auto doubt = commands_.doubt()) return doubt;
+  if (!last_cloud_.isZero() || keepsake_.found()) return std::nullopt;
+  return Doubt{Cause::NoCloud, std::string("no cloud has arrived yet, and ") + nothing_known};
+}
+
+/// What makes a cloud no reason to drive, whatever it shows.
+std::optional<Doubt> SafetyNode::doubt_about(const std_msgs::Header& cloud) {
+  if (auto doubt = commands_.doubt()) return doubt;
+  const Settings& settings = control_.settings();
+  if (settings.stamp_tolerance <= 0.0) return std::nullopt;  // no stamp is to be believed
+  return gap_.doubt_about(cloud.stamp.toSec(), now().steady, longest_gap(settings));
+}
+
 void SafetyNode::publish(const Decision& decision) {
-  command_.publish(to_twist(decision));
-  // As a pointer, it wakes roscpp's thread only if somebody listens.
-  state_.publish(boost::make_shared<SafetyState>(to_state(decision, control_.settings(), header_)));
-  publish_markers(decision);
-  log(decision);
   wake_when_quiet();
+  const double valid = std::max(source_timeout_left(), 1.0 / control_.settings().publish_rate);
+  commands_.publish(to_twist(decision), now().steady + valid + slack);
+  reports_.say(decision, control_.settings(), header_);
+  keep_what_is_near(decision);
+  said_ = decision.cause;
 }
 
-void SafetyNode::publish_markers(const Decision& decision) {
-  const bool has_frame = camera_place_ || !header_.frame_id.empty();  // before the first cloud there may be none
-  if (!has_frame || markers_.getNumSubscribers() == 0 || seconds_since(last_markers_) < markers_period) return;
-  markers_.publish(to_markers(decision, control_.settings(), header_));
-  last_markers_ = ros::SteadyTime::now();
-}
-
-void SafetyNode::log(const Decision& decision) {
-  const bool changed = decision.zone != logged_.zone || decision.cause != logged_.cause;
-  if (!changed && seconds_since(last_log_) < log_period) return;
-  if (decision.cause == Cause::Seen) {
-    ROS_INFO("%s zone", name_of(decision.zone));
-  } else {
-    ROS_WARN("%s zone: %s, %s%s", name_of(decision.zone), name_of(decision.cause), decision.reason.c_str(),
-             advice_for(decision, header_));
-  }
-  logged_ = decision;
-  last_log_ = ros::SteadyTime::now();
+void SafetyNode::keep_what_is_near(const Decision& decision) {
+  if (decision.cause == said_ && seconds_since(last_kept_) < kept_period) return;
+  keepsake_.keep(control_.remembered());
+  last_kept_ = ros::SteadyTime::now();
 }
 
 /// The next command is due after a period without one, or the moment the camera counts as silent if that is sooner.
 void SafetyNode::wake_when_quiet() {
   double wait = 1.0 / control_.settings().publish_rate;
-  const double until_silent = control_.settings().source_timeout - seconds_since(last_cloud_);
+  const double until_silent = source_timeout_left();
   if (until_silent > 0.0) wait = std::min(wait, until_silent + shortest_wait);
   quiet_.stop();
   quiet_.setPeriod(ros::WallDuration(std::max(wait, shortest_wait)));
   quiet_.start();
+}
+
+/// [s]; negative once the camera is silent.
+double SafetyNode::source_timeout_left() const {
+  return control_.settings().source_timeout - seconds_since(last_cloud_);
 }
 
 }  // namespace safety_control_cloud

@@ -5,14 +5,20 @@
 #include <std_srvs/Trigger.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "../core/safety_control.hpp"
+#include "command/commands.hpp"
 #include "input/arrival.hpp"
-#include "input/depth_input.hpp"
-#include "output/diagnostics.hpp"
-#include "reconfigure.hpp"
 #include "input/camera_place.hpp"
+#include "input/input.hpp"
+#include "input/own_gap.hpp"
+#include "memory/keepsake.hpp"
+#include "output/diagnostics.hpp"
+#include "output/log.hpp"
+#include "output/reports.hpp"
+#include "reconfigure.hpp"
 
 namespace safety_control_cloud {
 
@@ -22,34 +28,44 @@ class SafetyNode {
  public:
   /// Throws BadParameters if the private parameters are unfit to drive with.
   SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Delivery delivery);
-  ~SafetyNode();  ///< the last command is zero
+  ~SafetyNode();  ///< the last command is zero, and has left
   SafetyNode(const SafetyNode&) = delete;
   SafetyNode& operator=(const SafetyNode&) = delete;
 
+  /// The last command is zero, whatever arrives. From any thread.
+  void end() { commands_.end(); }
+
  private:
   void on_arrival(const Arrival& arrival);
-  void on_quiet(const ros::SteadyTimerEvent&);
+  void on_quiet();
   bool on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& answer);
 
   Decision decide(const Arrival& arrival);
   Placing placing_of(const std_msgs::Header& cloud) const;
+  void beat();
+  std::optional<Doubt> doubt_without_cloud();
+  std::optional<Doubt> doubt_about(const std_msgs::Header& cloud);
   void publish(const Decision& decision);
-  void publish_markers(const Decision& decision);
-  void log(const Decision& decision);
+  void keep_what_is_near(const Decision& decision);
   void wake_when_quiet();
+  double source_timeout_left() const;
 
+  Log log_;
   SafetyControl control_;
+  Keepsake keepsake_;
+  Commands commands_;
   std::unique_ptr<CameraPlace> camera_place_;  ///< only with a target frame
-  ros::Publisher command_, output_, state_, markers_;
-  ros::Subscriber clouds_;
-  std::unique_ptr<DepthInput> depths_;  ///< in place of clouds_, if these are the input
+  ros::Publisher output_;
+  Reports reports_;
+  std::unique_ptr<Input> input_;
   ros::ServiceServer reset_;
   ros::SteadyTimer quiet_;
   Reconfigure reconfigure_;
   Diagnostics diagnostics_;
-  ros::SteadyTime last_cloud_, last_log_, last_markers_;
+  OwnGap gap_;
+  ros::SteadyTime last_cloud_, last_reset_, last_kept_;
   std_msgs::Header header_;
-  Decision logged_;
+  Cause said_ = Cause::NoCloud;
 };
 
 }  // namespace safety_control_cloud

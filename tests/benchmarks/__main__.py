@@ -1,123 +1,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""scripts/bench: everything side by side in one run."""
-import argparse
-import json
+"""scripts/bench: options.py has the arguments, measuring.py what is done with them."""
 import sys
-from pathlib import Path
-from typing import Any, Dict, Sequence
 
-import cameras
-import depth
-import growth
-import instructions
-import kernel
-import nodes
-from repetitions import Plan
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-from rich.table import Table
+from options import arguments
 
-from safety_control_cloud.processes import end_on_sigterm
-from safety_control_cloud.ros_session import roscore
-
-PARTS = {"kernel": kernel, "nodes": nodes, "depth": depth, "cameras": cameras}
 INTERRUPTED = 130  # exit code
-Figures = Dict[str, Dict[str, float]]
-MEANINGS = {
-    "kernel_vs_read": "a look / only reading the bytes, a fresh cloud of VGA or more",
-    "kernel_vs_read_near_loss": "the same, with the memory of what came near",
-    "kernel_vs_read_near_loss_placed": "the same, with the corridor in another frame",
-    "kernel_vs_read_cached": "a look / only reading, the same cloud again and again",
-    "kernel_vs_tutorial": "the tutorial's filters / a look, cached; more is better",
-    "kernel_vs_pcl_indices": "PCL at its best / a look, cached; more is better",
-    "kernel_scene_spread": "the slowest scene / the fastest",
-    "node_cpu_vs_tutorial": "CPU of our node / of the tutorial's",
-    "node_cpu_vs_floor": "CPU of our node / of one that only answers",
-    "node_latency_vs_floor": "cloud to Twist, our node / one that only answers",
-    "node_faults_per_cloud": "minor page faults of our node",
-    "nodelet_latency_ms": "cloud to Twist inside one process [ms]",
-    "depth_cpu_vs_chain": "CPU an image, our node / depth_image_proc and our node",
-    "depth_floor_cpu_vs_chain": "the same of a node that only answers the image",
-    "depth_cpu_vs_floor": "CPU an image, our node / one that only answers",
-    "cameras_cpu_growth": "CPU a cloud with 2 and 4 cameras and nodes / with one",
-}
-EPILOG = """\
-A fresh cloud has not been looked at before and lies in no cache: every look takes another one, of more than any cache
-holds together. A camera's cloud is such a one: the driver or the network has just written its megabytes from the first
-to the last, and a core's own cache keeps one of them or two. kernel_vs_read is of fresh clouds; kernel_vs_read_cached
-is of one cloud again and again, in the caches as far as it fits, which no camera sends.
-
-Every repetition runs every case once. A figure is the median of its repetitions, a spread is (slowest - fastest) /
-median. "worst" and "median" in the JSON are of all cases."""
-
-
-def arguments() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        prog="scripts/bench", description="Measures what a decision costs, and beside what.", epilog=EPILOG,
-        formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--json", type=Path, metavar="FILE", help="write all figures there")
-    parser.add_argument("--plot", type=Path, metavar="FILE", help="draw time over points there")
-    parser.add_argument("--quick", action="store_true", help="VGA only, less often, no callgrind: < 2 minutes")
-    parser.add_argument("--only", choices=tuple(PARTS), action="append", help="this part; may be repeated")
-    parser.add_argument("--repetitions", type=int, metavar="N", help="of every case; medians are shown (3, quick: 2)")
-    parser.add_argument("--clouds", type=int, metavar="N", help="through processes, a repetition (50, quick: 20)")
-    parser.add_argument("--store-instructions", action="store_true", help="hold the kernel to today's from now on")
-    given = parser.parse_args()
-    if given.plot and (given.quick or given.only):
-        parser.error("--plot needs a full run")
-    return given
-
-
-def plan_of(given: argparse.Namespace) -> Plan:
-    repetitions, clouds = (2, 20) if given.quick else (3, 50)
-    return Plan(given.quick, given.repetitions or repetitions, given.clouds or clouds)
-
-
-def measure(parts: Sequence[str], plan: Plan) -> Dict[str, Any]:
-    """The table of each part. The bars stand on stderr, if that is a terminal."""
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with roscore(), Progress(*columns, console=Console(stderr=True), transient=True) as progress:
-        tasks = {name: progress.add_task(name, total=plan.repetitions * len(PARTS[name].cases(plan))) for name in parts}
-        return {name: PARTS[name].measure(plan, lambda: progress.advance(tasks[name])) for name in parts}
-
-
-def figures_table(figures: Figures) -> Table:
-    shown = Table("figure", "worst", "median", "what it is", title="Figures, of all cases")
-    for name, figure in figures.items():
-        shown.add_row(name, f"{figure['worst']:g}", f"{figure['median']:g}", MEANINGS[name])
-    return shown
-
-
-def print_tables(tables: Dict[str, Any], figures: Figures, counts: Dict[str, float]) -> None:
-    console = Console(width=None if sys.stdout.isatty() else 160, markup=False)
-    shown = [PARTS[name].table_of(table) for name, table in tables.items()]
-    if {"kernel", "nodes"} <= set(tables):
-        shown.append(growth.table_of(tables["kernel"], tables["nodes"]))
-    console.print(*shown, figures_table(figures), sep="\n\n")
-    for name, count in counts.items():
-        console.print(f"instructions per point, {name}: {count:g}", highlight=False)
 
 
 def main() -> int:
     given = arguments()
+    from measuring import bench  # after the arguments: --help needs Python alone
+
+    from safety_control_cloud.processes import end_on_sigterm
+
     end_on_sigterm()
     try:
-        instructions.store() if given.store_instructions else bench(given)
+        bench(given)
     except KeyboardInterrupt:
         return INTERRUPTED
     return 0
-
-
-def bench(given: argparse.Namespace) -> None:
-    tables = measure(given.only or tuple(PARTS), plan_of(given))
-    figures = {name: figure for part, table in tables.items() for name, figure in PARTS[part].figures(table).items()}
-    counts = instructions.count() if "kernel" in tables and not given.quick else {}
-    print_tables(tables, figures, counts)
-    if given.plot:
-        growth.draw(tables["kernel"], tables["nodes"], given.plot)
-    if given.json:
-        cases = {part: PARTS[part].as_json(table) for part, table in tables.items()}
-        given.json.write_text(json.dumps({**figures, "instructions_per_point": counts, **cases}, indent=2) + "\n")
 
 
 if __name__ == "__main__":

@@ -12,46 +12,14 @@
 #include <vector>
 
 #include "../../safety_control_cloud/ros/input/receive_memory.hpp"
+#include "../../safety_control_cloud/ros/input/received.hpp"
 
 namespace {
 
-/// A Message to its publisher; here its bytes stay in the buffer that they arrived in.
-template <class Message>
-struct Unread {};
-
-}  // namespace
-
-namespace ros {
-namespace message_traits {
-
-template <class Message>
-struct MD5Sum<Unread<Message>> : MD5Sum<Message> {};
-template <class Message>
-struct DataType<Unread<Message>> : DataType<Message> {};
-template <class Message>
-struct Definition<Unread<Message>> : Definition<Message> {};
-
-}  // namespace message_traits
-
-namespace serialization {
-
-template <class Message>
-struct Serializer<Unread<Message>> {
-  static void read(IStream& stream, Unread<Message>&) { stream.advance(stream.getLength()); }
-};
-
-}  // namespace serialization
-}  // namespace ros
-
-namespace {
-
+/// Leaves the bytes unread, in the buffer that they arrived in.
 template <class Message>
 ros::Subscriber hear(ros::NodeHandle& handle, const std::string& topic, const std::function<void()>& answer) {
-  const boost::function<void(const boost::shared_ptr<const Unread<Message>>&)> on_message = [=](const auto&) {
-    answer();
-  };
-  const auto hints = ros::TransportHints().tcpNoDelay();
-  return handle.subscribe<Unread<Message>>(topic, 1, on_message, ros::VoidConstPtr(), hints);
+  return safety_control_cloud::subscribe_received<Message>(handle, topic, [=](auto&, const std::string&) { answer(); });
 }
 
 }  // namespace

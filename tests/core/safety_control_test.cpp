@@ -191,15 +191,50 @@ TEST(SafetyControl, SameCloudSentAgainIsNoFrozenCamera) {
   EXPECT_EQ(control.decide(view_of(free), Origin{1.0}, {1.1, 1.1}).cause, Cause::Seen) << "its stamp will give it away";
 }
 
+TEST(SafetyControl, RobotStandsWhileRosTimeIsZero) {
+  SafetyControl control{Settings{}};
+  const std::vector<Xyz> free = {{0, 0, 3}};
+  EXPECT_EQ(control.without_cloud({1.0, 0.0}).cause, Cause::NoTime);
+  for (const double stamp : {0.0, 0.3, 1e9}) {
+    const Decision decision = control.decide(view_of(free), Origin{stamp}, {2.0, 0.0});
+    EXPECT_EQ(decision.cause, Cause::NoTime) << stamp;
+    EXPECT_EQ(decision.speed, 0.0) << stamp;
+    EXPECT_NE(decision.reason.find("/clock"), std::string::npos) << decision.reason;
+  }
+  EXPECT_EQ(control.decide(view_of(free), Origin{0.1}, {3.0, 0.1}).speed, 0.2) << "the clock has started";
+}
+
+TEST(SafetyControl, CloudOfBeforeAPauseDoesNotMoveTheRobot) {
+  SafetyControl control{Settings{}};
+  const std::vector<Xyz> free = {{0, 0, 3}};
+  for (double now = 10.0; now < 11.0; now += 0.05) control.decide(view_of(free), Origin{now - 0.02}, {now, now});
+  const Decision decision = control.decide(view_of(free), Origin{12.2}, {13.0, 13.0});
+  EXPECT_EQ(decision.cause, Cause::Stale) << decision.reason;
+  EXPECT_EQ(decision.speed, 0.0);
+  EXPECT_EQ(control.decide(view_of(free), Origin{13.03}, {13.05, 13.05}).speed, 0.2);
+}
+
+TEST(SafetyControl, CloudOfValidPointsThatShrinksStopsTheRobotUntilSomebodyHasLooked) {
+  SafetyControl control{Settings{}};
+  std::vector<Xyz> free(3000, Xyz{0, 0, 3});
+  EXPECT_EQ(decide(control, view_of(free), 1.0).speed, 0.2);
+  free.resize(1);
+  const Decision decision = decide(control, view_of(free), 1.05);
+  EXPECT_EQ(decision.cause, Cause::Blind) << decision.reason;
+  EXPECT_EQ(decision.speed, 0.0);
+  control.forget_losses();
+  EXPECT_EQ(decide(control, view_of(free), 1.1).speed, 0.2);
+}
+
 TEST(SafetyControl, UnfitSettingsAreNotTakenAndTheOldOnesStay) {
   SafetyControl control{Settings{}};
   Settings unfit;
   unfit.limits.danger = 3.0;
   unfit.speeds.safe = 0.5;
-  EXPECT_THROW(control.take(unfit), std::invalid_argument);
+  EXPECT_THROW(control.adopt(unfit), std::invalid_argument);
   EXPECT_EQ(decide_at(2.0, control).speed, 0.2);
   unfit.limits.danger = 0.5;
-  control.take(unfit);
+  control.adopt(unfit);
   EXPECT_EQ(decide_at(2.0, control).speed, 0.5);
 }
 

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include "input/cloud_builder.hpp"
@@ -29,8 +31,7 @@ class Scene {
   explicit Scene(std::vector<Board> boards = {}, float nose_up = 0.0f) : points_(width * height) {
     for (std::size_t row = 0; row < height; ++row) {
       for (std::size_t column = 0; column < width; ++column) {
-        points_[row * width + column] = seen_along((static_cast<float>(column) - 79.5f) / focal,
-                                                   (static_cast<float>(row) - 59.5f) / focal, boards, nose_up);
+        points_[row * width + column] = seen_along(right(column), down(row), boards, nose_up);
       }
     }
   }
@@ -39,6 +40,31 @@ class Scene {
 
   void blank_lowest_rows(std::size_t rows) {
     std::fill(points_.end() - static_cast<std::ptrdiff_t>(rows * width), points_.end(), Xyz{nan, nan, nan});
+  }
+
+  void blank_nearer_than(float z) {
+    for (Xyz& point : points_) {
+      if (point.z < z) point = {nan, nan, nan};
+    }
+  }
+
+  /// Pixels that return nothing return anything from 0.4 to 5 m instead, so large a share of them.
+  template <class Random>
+  Scene& stray(double share, Random& random) {
+    std::uniform_real_distribution<float> any(0.0f, 1.0f);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (!std::isnan(points_[i].z) || any(random) >= static_cast<float>(share)) continue;
+      const float z = 0.4f + 4.6f * any(random);
+      points_[i] = {right(i % width) * z, down(i / width) * z, z};
+    }
+    return *this;
+  }
+
+  /// Those that return something, in a row of their own.
+  std::vector<Xyz> returns() const {
+    std::vector<Xyz> some;
+    std::copy_if(points_.begin(), points_.end(), std::back_inserter(some), [](Xyz p) { return !std::isnan(p.z); });
+    return some;
   }
 
   CloudView view() const {
@@ -51,6 +77,9 @@ class Scene {
 
  private:
   static constexpr float focal = 138.56f;  // [pixel]
+
+  static float right(std::size_t column) { return (static_cast<float>(column) - 79.5f) / focal; }
+  static float down(std::size_t row) { return (static_cast<float>(row) - 59.5f) / focal; }
 
   static Xyz seen_along(float x, float y, const std::vector<Board>& boards, float nose_up) {
     const float down = y * std::cos(nose_up) - std::sin(nose_up);

@@ -9,23 +9,17 @@ import os
 import signal
 import sys
 import xmlrpc.client
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack
 from pathlib import Path
 
 import rosgraph
 import rospy
+from masters import master_again
 from robot import NODE, SOURCE_TIMEOUT, driving_robot, eventually
 from scenes import hall, wall
 
 from safety_control_cloud.processes import process
 from safety_control_cloud.ros_session import roscore
-
-
-@contextmanager
-def master_again(uri):
-    with process(["rosmaster", "--core", "-p", uri.rstrip("/").rpartition(":")[2]]) as master:
-        eventually(rosgraph.is_master_online)
-        yield
 
 
 def check_stops_and_drives(robot):

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Clouds whose header contradicts their bytes, sent to one robot after another without a restart between them."""
-from io import BytesIO
-
 import numpy as np
 import pytest
+from damaged import cut_short, damaged
 from robot import driving_robot
 from scenes import POINT_STEP, WIDTH, always, cloud_of, hall, points_of, wall, xyz
-from sensor_msgs.msg import PointCloud2, PointField
+from sensor_msgs.msg import PointField
 
 FLOAT32, FLOAT64 = PointField.FLOAT32, PointField.FLOAT64
 HUGE = 2**32 - 1
@@ -56,27 +55,13 @@ def test_a_cloud_that_contradicts_itself_is_unreadable(robot, claims):
     robot.drives()
 
 
-class Damaged(PointCloud2):
-    """A cloud whose serialised bytes are damaged on their way."""
-
-    def serialize(self, buff):
-        whole = BytesIO()
-        super().serialize(whole)
-        buff.write(self.damage(whole.getvalue()))
+def beyond_its_end(whole):
+    return whole[:12] + b"\xff\xff\xff\x7f" + whole[16:]  # the length of frame_id
 
 
-class CutShort(Damaged):
-    damage = staticmethod(lambda whole: whole[:-100])
-
-
-class BeyondItsEnd(Damaged):
-    damage = staticmethod(lambda whole: whole[:12] + b"\xff\xff\xff\x7f" + whole[16:])  # the length of frame_id
-
-
-@pytest.mark.parametrize("damaged", [CutShort, BeyondItsEnd])
-def test_a_message_that_cannot_be_deserialised_is_unreadable(robot, damaged):
-    cloud = cloud_of(points_of())
-    robot.camera.show(always(damaged(*(getattr(cloud, name) for name in cloud.__slots__))))
+@pytest.mark.parametrize("damage", [cut_short, beyond_its_end])
+def test_a_message_that_cannot_be_deserialised_is_unreadable(robot, damage):
+    robot.camera.show(always(damaged(cloud_of(points_of()), damage)))
     assert robot.stops("UNREADABLE").reason == "the message ends before its contents"
     robot.camera.show(hall())
     robot.drives()
@@ -104,8 +89,8 @@ def test_big_endian_clouds_are_read_as_such(robot):
 
 def test_little_endian_clouds_that_claim_to_be_big_endian_stop_the_robot(robot):
     robot.camera.show(always(cloud_of(points_of(), is_bigendian=True)))
-    robot.stops("SEEN")  # a NaN read backwards is a return at 1e-41 m
-    robot.camera.show(hall(wall(3.0)))  # not the hall, where such returns would stay lost
+    robot.stops("WRONG_VIEW")  # its points lie along no camera's rays
+    robot.camera.show(hall(wall(3.0)))
     robot.drives()
 
 

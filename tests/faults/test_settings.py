@@ -32,6 +32,9 @@ def settings(robot):
         pytest.param(dict(min_points=-1), "min_points must not be negative", id="negative_count"),
         pytest.param(dict(source_timeout=0.0), "source_timeout must be positive", id="never_silent"),
         pytest.param(dict(publish_rate=0.0), "publish_rate must lie between", id="never_published"),
+        pytest.param(dict(source_timeout=3600.0), "source_timeout must be at most 10", id="hardly_ever_silent"),
+        pytest.param(dict(min_points=2147483647), "min_points must be at most 1000", id="nothing_is_an_obstacle"),
+        pytest.param(dict(safe_speed=5.0), "safe_speed must be at most 1.5", id="too_fast"),
         pytest.param(
             dict(danger_distance=1.0, warning_distance=0.5), "warning_distance must be more than danger_distance",
             id="swapped_zones"),

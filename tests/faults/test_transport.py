@@ -8,8 +8,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from robot import NODE, ONE_CLOUD, SOURCE_TIMEOUT, START, eventually, is_sending
-from scenes import always, cloud_of, hall, wall
+from camera import Camera
+from robot import AGAIN, NODE, ONE_CLOUD, SOURCE_TIMEOUT, START, after, eventually, is_sending
+from scenes import FRAME, always, cloud_of, hall, wall
 
 from safety_control_cloud.processes import process
 
@@ -50,6 +51,31 @@ def test_two_cameras_on_one_topic_stop_the_robot_whatever_they_see(robot):
             camera.wait(5.0)
             robot.camera.changes()
             robot.drives()
+
+
+@pytest.mark.parametrize("frame, distance", [("another_optical_frame", None), (FRAME, 3.0)], ids=["frames", "contents"])
+def test_two_drivers_in_one_process_are_two_cameras(robot, frame, distance):
+    boards = [wall(distance)] if distance else []
+    robot.camera.show(hall())
+    other = Camera(hall(*boards, frame=frame))
+    robot.camera.changes()
+    robot.stops("TWO_SOURCES", within=AGAIN)
+    other.end()
+    robot.camera.changes()
+    robot.drives()
+
+
+def test_a_silent_camera_is_noticed_to_within_a_tenth_of_a_second(robot):
+    late = []
+    for _ in range(3):
+        robot.camera.pause()
+        robot.stops("SILENT", within=SOURCE_TIMEOUT)
+        silent, last = next(said for said in after(robot.camera.changed_at, robot.states) if said[1].cause_text == "SILENT")
+        seen = min(arrival for arrival, state in robot.states.timed() if state.header.stamp == last.header.stamp)
+        late.append(silent - seen - 0.5)
+        robot.camera.show(hall())
+        robot.drives()
+    assert min(map(abs, late)) < 0.1, late
 
 
 def test_two_hundred_clouds_a_second_delay_no_stop(robot):

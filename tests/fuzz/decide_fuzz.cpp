@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "../../safety_control_cloud/core/safety_control.hpp"
+#include "../../safety_control_cloud/core/speed/speed.hpp"
 #include "scenario.hpp"
 
 namespace safety_control_cloud {
@@ -37,18 +38,21 @@ Settings settings_of(const Choice& choice, Method method) {
   settings.release.time = one_of<double>({0.0, 0.2}, choice.release_time);
   settings.stamp_tolerance = one_of<double>({1.0, 0.0}, choice.stamp_tolerance);
   settings.min_valid_ratio = one_of<double>({0.1, 0.0, 1.0}, choice.min_valid_ratio);
-  settings.near_loss.distance = one_of<double>({0.75, 0.0, PixelMemory::farthest}, choice.near_loss_distance);
+  settings.near_loss.distance = one_of<double>({0.75, 0.0, NearLossLimits::farthest}, choice.near_loss_distance);
   settings.near_loss.timeout = one_of<double>({0.0, 0.3}, choice.near_loss_timeout);
   settings.frozen_clouds = one_of<std::size_t>({0, 2, 4}, choice.frozen_clouds);
   settings.target_frame = one_of<const char*>({"", "base"}, choice.target_frame);
   return settings;
 }
 
-Placing placing_of(std::uint8_t choice) {
+/// Mostly one that belongs to these settings.
+Placing placing_of(std::uint8_t choice, const Settings& settings) {
   Placement tilted, overflowing;
   tilted.rows = {{{1, 0, 0, 0.05f}, {0, 0.8f, -0.6f, 0}, {0, 0.6f, 0.8f, -0.09f}}};
   overflowing.rows = {{{0.7f, 0.7f, 0, 0}, {-0.7f, 0.7f, 0, 0}, {0, 0, 1, largest}}};
-  return one_of<Placing>({OpticalFrame{}, tilted, NoTransform{"nobody knows"}, overflowing}, choice);
+  if (choice % 8 == 7) return tilted;
+  if (settings.target_frame.empty()) return one_of<Placing>({OpticalFrame{}, NoTransform{"nobody knows"}}, choice);
+  return one_of<Placing>({tilted, OpticalFrame{}, NoTransform{"nobody knows"}, overflowing}, choice);
 }
 
 float depth_of(std::uint8_t pixel) {
@@ -93,7 +97,7 @@ void require_same(const Decision& a, const Decision& b) {
   require(a.sight.returns == b.sight.returns && a.sight.total == b.sight.total, "both methods count the same returns");
   require(a.sight.inside == b.sight.inside, "both methods count the same points inside");
   require(a.sight.too_close == b.sight.too_close, "both methods count the same points that are too close");
-  require(a.sight.lost == b.sight.lost, "both methods count the same lost pixels");
+  require(a.sight.nearest_in_rows == b.sight.nearest_in_rows, "both methods see the same nearest in each row");
 }
 
 void require_safe(const Decision& decision, const Settings& settings) {
@@ -137,15 +141,15 @@ class World {
   }
 
   void take(const Choice& choice) {
-    one_pass_.take(settings_of(choice, Method::OnePass));
-    pcl_.take(settings_of(choice, Method::Pcl));
+    one_pass_.adopt(settings_of(choice, Method::OnePass));
+    pcl_.adopt(settings_of(choice, Method::Pcl));
   }
 
   void see(Step& step) {
     std::vector<std::uint8_t> bytes = step.bytes;
     const Layout layout = step.event == Event::Picture ? layout_of(step, bytes) : step.claims;
     const Reading reading = view_of(layout, bytes.data(), bytes.size());
-    const Origin origin{now_.ros - step.stamp_age / 1000.0, placing_of(step.placing)};
+    const Origin origin{now_.ros - step.stamp_age / 1000.0, placing_of(step.placing, one_pass_.settings())};
     const Crop crop = step.crop % 2 ? Crop::Keep : Crop::Skip;
     check(one_pass_.decide(reading, origin, now_, crop), pcl_.decide(reading, origin, now_, crop));
   }

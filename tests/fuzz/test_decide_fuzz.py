@@ -21,12 +21,12 @@ def run(*command, **options):
 def programs(tmp_path_factory):
     """The folder of the fuzzer and of what writes its seeds."""
     if shutil.which("clang++") is None:
-        pytest.skip("clang is not installed (apt install clang libclang-rt-14-dev)")
+        pytest.skip("clang is not installed (scripts/setup --checks installs it)")
     source = tmp_path_factory.mktemp("fuzz") / "nothing.cpp"
     source.write_text('extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }')
     linked = run("clang++", "-fsanitize=fuzzer,address", source, "-o", source.with_suffix(""))
     if linked.returncode != 0:
-        pytest.skip("clang has no libFuzzer (apt install libclang-rt-14-dev): " + linked.stdout)
+        pytest.skip("clang has no libFuzzer (scripts/setup --checks installs it): " + linked.stdout)
     configure = run(
         "cmake", "-S", ROOT, "-B", BUILD, "-DCMAKE_BUILD_TYPE=RelWithDebInfo", "-DCMAKE_CXX_COMPILER=clang++",
         "-DSAFETY_CONTROL_FUZZ=ON", "-DSAFETY_CONTROL_SANITIZE=address,undefined", "-DCATKIN_ENABLE_TESTING=OFF",

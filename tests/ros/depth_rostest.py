@@ -3,13 +3,13 @@
 """A depth image leads to what the cloud that depth_image_proc makes of it leads to; a bad one to standing still."""
 import tempfile
 import unittest
-from io import BytesIO
 from pathlib import Path
 
 import numpy as np
 import rosbag
 import rospy
 import rostest
+from damaged import cut_short, damaged
 from listening import Heard, eventually, is_sending
 from sensor_msgs.msg import CameraInfo, Image, PointCloud2
 
@@ -70,15 +70,6 @@ def binned_region(image):
     return camera
 
 
-class CutShort(Image):
-    """An image whose serialised bytes lose their end on the way."""
-
-    def serialize(self, buff):
-        whole = BytesIO()
-        super().serialize(whole)
-        buff.write(whole.getvalue()[:-100])
-
-
 class Ears:
     def __init__(self, node):
         self.node = node
@@ -133,7 +124,8 @@ class Depth(unittest.TestCase):
 
     def test_an_image_leads_to_what_its_cloud_leads_to(self):
         causes = set()
-        for seed in range(40):
+        # The speckled ones together: in turn with the others they would be two cameras'.
+        for seed in sorted(range(40), key=lambda seed: seed % 4):
             image = image_of(depths(seed, 120, 160), encoding=["32FC1", "16UC1"][seed // 2 % 2], padding=[0, 4, 64][seed % 3])
             causes.add(self.assert_same(image).cause_text)
         self.assertEqual(causes, {"SEEN", "NEAR_LOSS"})
@@ -178,7 +170,7 @@ class Depth(unittest.TestCase):
 
     def test_a_message_that_cannot_be_deserialised_is_unreadable_without_its_camera_info(self):
         whole = image_of(depths(11, 24, 32))
-        cut = CutShort(*(getattr(whole, name) for name in whole.__slots__))
+        cut = damaged(whole, cut_short)
         cut.header.stamp = self.stamp()
         self.raws.publish(cut)
         state = self.by_raw_depth.state_at(cut.header.stamp)
@@ -211,7 +203,8 @@ class Depth(unittest.TestCase):
                 while player.exit_code is None:
                     self.send(image)
                     rospy.sleep(0.05)
-        self.assertIn("TWO_SOURCES", {state.cause_text for state in self.by_depth.states.all()})
+        doubted = [state for state in self.by_depth.states.all() if state.cause_text == "TWO_SOURCES"]
+        self.assertEqual({state.speed for state in doubted}, {0.0})
 
 
 if __name__ == "__main__":

@@ -14,7 +14,8 @@ from recordings import MadeCloud, wall_at
 from safety_control_cloud.msg import SafetyState
 
 STEP = 300_000_000  # [ns]
-NOTHING = MadeCloud(np.float32([[5.0, 0.0, 0.4]]), 8 * STEP)
+BESIDE = np.tile(np.float32([[5.0, 0.0, 0.4]]), (1000, 1))  # one point would be a cloud that shrank
+NOTHING = MadeCloud(BESIDE, 8 * STEP)
 BLIND = MadeCloud(np.full((50, 3), np.nan, np.float32), 9 * STEP)
 EXPECTED = [  # cloud, zone, cause, nearest, speed
     (wall_at(1.5, 1 * STEP), "Safe", "SEEN", 1.5, 0.2),

@@ -31,6 +31,12 @@ const char* name_of(Cause cause) {
       return "TWO_SOURCES";
     case Cause::LowObstacle:
       return "LOW_OBSTACLE";
+    case Cause::TwoCommanders:
+      return "TWO_COMMANDERS";
+    case Cause::WrongView:
+      return "WRONG_VIEW";
+    case Cause::NoTime:
+      return "NO_TIME";
   }
   return "UNKNOWN";
 }

@@ -9,7 +9,13 @@ namespace safety_control_cloud {
 /// What a pixel of a depth image holds.
 enum class Depth : std::uint8_t {
   Millimetres,  ///< 16UC1: 16 bits without a sign; 0 is nothing measured
-  Metres,       ///< 32FC1: a float32; NaN and both infinities are nothing measured
+  Metres,       ///< 32FC1: a float32; NaN and +Inf are nothing measured, for -Inf see MinusInf
+};
+
+/// What a pixel of -Inf [m] says.
+enum class MinusInf : std::uint8_t {
+  Nothing,   ///< nothing measured, as depth_image_proc has it
+  TooClose,  ///< something is too close to measure (REP 117)
 };
 
 /// A camera without distortion [px].
@@ -27,6 +33,7 @@ struct DepthView {
   std::size_t height = 0;    ///< rows
   std::size_t row_step = 0;  ///< [byte] from one row to the next
   Depth depth = Depth::Metres;
+  MinusInf minus_inf = MinusInf::Nothing;
   bool swapped = false;  ///< the byte order is not this machine's
   Pinhole camera;
   std::size_t first_column = 0;  ///< in the camera's image, of a piece of it

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "extent.hpp"
 #include "../text/words.hpp"
+#include "extent.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -47,6 +47,8 @@ std::optional<std::string> problem_with_camera(const DepthLayout& layout) {
   if (!is_focal_length(camera.K[0]) || !is_focal_length(camera.K[4])) return "K of the CameraInfo has no focal length";
   if (!is_focal_length(camera.P[0]) || !is_focal_length(camera.P[5])) return "P of the CameraInfo has no focal length";
   if (!std::isfinite(camera.P[2]) || !std::isfinite(camera.P[6])) return "P of the CameraInfo has no optical centre";
+  if (camera.K[0] == 1.0 && camera.K[4] == 1.0)
+    return "K of the CameraInfo is the identity: the camera was never calibrated";
   return problem_with_distortion(layout);
 }
 
@@ -61,6 +63,18 @@ Pinhole pinhole_of(const CameraClaims& camera) {
 bool is_usable(const Rays& rays) {
   const auto is_number = [](float value) { return std::isfinite(value); };
   return is_number(rays.cx) && is_number(rays.cy) && is_number(rays.x_scale) && is_number(rays.y_scale);
+}
+
+/// Over the width or height of an image that one pixel is the `focal`-th part of.
+bool is_field_of_view(double pixels, double focal) {
+  constexpr double widest = 7.46;     // 150 degrees
+  constexpr double narrowest = 5e-6;  // of a pixel: a second of arc
+  return pixels <= widest * focal && narrowest * focal <= 1.0;
+}
+
+bool has_field_of_view(const DepthView& view) {
+  return is_field_of_view(static_cast<double>(view.width), view.camera.fx) &&
+         is_field_of_view(static_cast<double>(view.height), view.camera.fy);
 }
 
 }  // namespace
@@ -82,6 +96,10 @@ Reading view_of(const DepthLayout& layout, const std::uint8_t* bytes, std::size_
   view.swapped = is_foreign(layout.is_bigendian);
   view.camera = pinhole_of(layout.camera);
   if (!is_usable(Rays(view))) return Unreadable{"P of the CameraInfo is beyond all cameras"};
+  if (view.size() > 0 && !has_field_of_view(view)) {
+    return Unreadable{words("P of the CameraInfo has focal lengths ", view.camera.fx, " and ", view.camera.fy, " for ",
+                            view.width, " x ", view.height, " pixels: no camera sees so wide or so narrow")};
+  }
   return view;
 }
 

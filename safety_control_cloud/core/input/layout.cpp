@@ -5,8 +5,8 @@
 #include <optional>
 #include <variant>
 
-#include "extent.hpp"
 #include "../text/words.hpp"
+#include "extent.hpp"
 
 namespace safety_control_cloud {
 namespace {

@@ -56,10 +56,17 @@ struct DepthReader {
 
   explicit DepthReader(const DepthView& image) : view(image), rays(image) {}
 
+  /// Its point keeps a z of -Inf, as that of a cloud would.
+  bool is_too_close(T pixel) const {
+    return view.minus_inf == MinusInf::TooClose && pixel == -std::numeric_limits<T>::infinity() &&
+           std::numeric_limits<T>::has_infinity;
+  }
+
   template <class Visit>
   void operator()(std::size_t row, std::size_t column, Visit& visit) const {
     const std::uint8_t* pixel = view.bytes + row * view.row_step + column * sizeof(T);
-    const float depth = measured(read_value<T, Swapped>(pixel));
+    const T stored = read_value<T, Swapped>(pixel);
+    const float depth = is_too_close(stored) ? static_cast<float>(stored) : measured(stored);
     const auto u = static_cast<float>(view.first_column + column), v = static_cast<float>(view.first_row + row);
     visit((u - rays.cx) * depth * rays.x_scale, (v - rays.cy) * depth * rays.y_scale, depth * rays.z_scale);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "view.hpp"
+#include "to_cloud.hpp"
 
 #include "point_reader.hpp"
 

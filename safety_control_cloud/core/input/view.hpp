@@ -24,7 +24,4 @@ inline std::size_t size_of(const View& view) { return width_of(view) * height_of
 inline std::size_t step_of(const CloudView& cloud) { return cloud.point_step; }
 inline std::size_t step_of(const DepthView& depth) { return depth.pixel_step(); }
 
-/// Every point of the view as float32, in its order and with its width and height; nothing is left out.
-Cloud to_cloud(const View& view);
-
 }  // namespace safety_control_cloud

@@ -10,6 +10,10 @@
 #include <limits>
 #include <tuple>
 
+#include "../input/to_cloud.hpp"
+#include "meaning.hpp"
+#include "nearest.hpp"
+
 namespace safety_control_cloud {
 namespace {
 
@@ -37,12 +41,12 @@ Cloud::Ptr picked(const Cloud& cloud, const Indices& indices) {
 }
 
 /// The cloud in the corridor's axes; a point that is no return becomes NaN, because it has no place there.
-Cloud::Ptr placed_cloud(const Cloud& cloud, const Corridor& corridor, const Gaze& gaze) {
+Cloud::Ptr placed_cloud(const Cloud& cloud, const Outlook& outlook) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   Cloud::Ptr points(new Cloud(cloud));
   for (Point& point : *points) {
     const auto [x, y, z] = std::tie(point.x, point.y, point.z);
-    point = is_return(x, y, z, corridor) ? placed(x, y, z, gaze) : Point(nan, nan, nan);
+    point = is_return(x, y, z, outlook.corridor) ? outlook.placed(x, y, z) : Point(nan, nan, nan);
   }
   return points;
 }
@@ -55,26 +59,21 @@ std::optional<Obstacle> nearest_in(const Cloud& inside) {
   return Obstacle{*std::find_if(inside.begin(), inside.end(), [&](const Point& point) { return point.z == low.z; })};
 }
 
-void remember(const Cloud& cloud, const Cloud& placed, const Corridor& corridor, const Gaze& gaze) {
-  PixelMemory& memory = *gaze.memory;
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    std::uint16_t& pixel = memory.pixels[i];
-    const Point& point = cloud.points[i];
-    // Whether or not its place is too far for a float.
-    const bool returned = is_return(point.x, point.y, point.z, corridor);
-    if (returned) pixel = remembered(placed.points[i], corridor, gaze);
-    const std::uint16_t code = PixelMemory::code_of(pixel);
-    pixel = static_cast<std::uint16_t>(returned ? code | PixelMemory::now : code);
+std::vector<float> nearest_in_rows(const Cloud& cloud, const Indices& inside) {
+  std::vector<float> nearest(cloud.width == 0 ? 0 : cloud.height, std::numeric_limits<float>::infinity());
+  for (const auto i : inside) {
+    float& of_row = nearest[static_cast<std::size_t>(i) / cloud.width];
+    of_row = std::min(of_row, cloud.points[static_cast<std::size_t>(i)].z);
   }
-  memory.start_cloud();
-  memory.note(0, memory.pixels.size());
+  return nearest;
 }
 
 }  // namespace
 
-Sight passthrough(const View& view, const Corridor& corridor, const Gaze& gaze) {
+Sight passthrough(const View& view, const Outlook& outlook, Crop crop, Rows rows) {
+  const Corridor& corridor = outlook.corridor;
   const Cloud::Ptr cloud(new Cloud(to_cloud(view)));
-  const Cloud::Ptr points = placed_cloud(*cloud, corridor, gaze);
+  const Cloud::Ptr points = placed_cloud(*cloud, outlook);
   const auto returns = passed(cloud, nullptr, "z", std::nextafter(corridor.range_min, largest), largest);
   const auto ahead = passed(points, returns, "z", std::numeric_limits<float>::denorm_min(), largest);
   const auto between_heights = passed(points, ahead, "y", corridor.y_min, corridor.y_max);
@@ -83,18 +82,16 @@ Sight passthrough(const View& view, const Corridor& corridor, const Gaze& gaze) 
   Sight sight;
   sight.total = size_of(view);
   sight.too_close = static_cast<std::size_t>(std::count_if(cloud->begin(), cloud->end(), [&](const Point& point) {
-    return is_too_close(point.x, point.y, point.z, corridor, gaze);
+    return is_too_close(point.x, point.y, point.z, outlook);
   }));
   sight.returns = returns->size();
   sight.inside = inside->size();
   const Cloud::Ptr obstacles = picked(*points, *inside);
-  sight.nearest = corridor.min_points == 1 && sight.too_close == 0 ? nearest_in(*obstacles)
-                                                                   : nearest_of(sight.too_close, *obstacles, corridor);
-  if (gaze.memory) {
-    remember(*cloud, *points, corridor, gaze);
-    sight.lost = gaze.memory->near.lost;
-  }
-  if (gaze.crop == Crop::Keep) sight.crop = picked(*cloud, *inside);
+  sight.nearest = corridor.min_points == 1 && sight.too_close == 0
+                      ? nearest_in(*obstacles)
+                      : nearest_of(sight.too_close, *obstacles, corridor.min_points);
+  if (rows == Rows::Apart) sight.nearest_in_rows = nearest_in_rows(*points, *inside);
+  if (crop == Crop::Keep) sight.crop = picked(*cloud, *inside);
   return sight;
 }
 

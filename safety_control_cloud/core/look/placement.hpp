@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <string>
 #include <variant>
@@ -32,5 +33,9 @@ struct NoTransform {
 };
 
 using Placing = std::variant<OpticalFrame, Placement, NoTransform>;
+
+/// The placement of a camera whose frame [rotation | translation in m] takes to a target frame (x forward, y left,
+/// z up); none if that is not finite.
+Placing placing_of(const Eigen::Matrix<double, 3, 4>& cloud_in_target);
 
 }  // namespace safety_control_cloud

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 namespace safety_control_cloud {
 
-/// Whether `fulfils(i)` holds for `some` successive i of [0, all).
+/// Whether `fulfils(i)` holds for adjacent columns i over 1/share of a picture's width; one alone may be noise.
 template <class Fulfils>
-bool any_adjacent(std::size_t some, std::size_t all, Fulfils fulfils) {
+bool any_adjacent(std::size_t share, std::size_t width, Fulfils fulfils) {
+  const std::size_t least = std::max<std::size_t>(2, width / share);
   std::size_t adjacent = 0;
-  for (std::size_t i = 0; i < all; ++i) {
+  for (std::size_t i = 0; i < width; ++i) {
     adjacent = fulfils(i) ? adjacent + 1 : 0;
-    if (adjacent >= some) return true;
+    if (adjacent >= least) return true;
   }
   return false;
 }

@@ -2,9 +2,6 @@
 #include "floor_strip.hpp"
 
 #include <algorithm>
-#include <utility>
-
-#include "adjacent.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -12,89 +9,130 @@ namespace {
 /// A post of 2 cm at 0.4 m, where an Xtion goes blind, takes 1/24 of its 60 degrees.
 constexpr std::size_t post_share_of_width = 24;
 
-/// Stereo cameras have the widest borders, of 4 to 6 % at 0.7 m.
+/// Cameras leave a border of their pictures empty: at most this share, where no floor was ever seen in it.
 constexpr std::size_t border_share_of_width = 8;
 
+/// Stereo cameras have the widest borders, of 4 to 6 % at 0.7 m, and wider ones the nearer all is: in a border as
+/// narrow as this share, one look at the floor does not mean that it can always be seen there.
+constexpr std::size_t stereo_share_of_width = 16;
+constexpr std::uint8_t certain = 3;  ///< clouds that have shown the floor
+
 /// A row's floor rises by this in a cloud in which none is seen as low [mm]: after a bump it is back in a second.
-constexpr std::uint16_t forgotten = 1;
+constexpr NearGround::Code forgotten = 1;
+
+/// A border of rows that never return is at most so high.
+constexpr std::size_t border_share_of_height = 8;
 
 /// The least code that is still floor in a row; those from it on are the floor, or elsewhere. The floor moves by 2 %
 /// when the robot pitches by half a degree; a foot stands out by more than this.
-std::uint16_t least_floor(std::uint16_t lowest) {
-  const int floor = lowest - PixelMemory::ground_zero;
-  return static_cast<std::uint16_t>(PixelMemory::ground_zero + (floor * 19 + 19) / 20);
-}
-
-/// From the first pixel of a row that returned at some time to behind the last: cameras leave a border of their
-/// pictures empty, but a gap between floor and floor hides something, even if it was there from the start. So does a
-/// border wider than any camera's.
-std::pair<std::size_t, std::size_t> span_of_returns(const std::uint16_t* pixels, std::size_t width) {
-  std::size_t first = 0, last = width;
-  while (first < last && PixelMemory::code_of(pixels[first]) == PixelMemory::nothing) ++first;
-  while (last > first && PixelMemory::code_of(pixels[last - 1]) == PixelMemory::nothing) --last;
-  const std::size_t border = width / border_share_of_width;
-  return {first > border ? 0 : first, width - last > border ? width : last};
-}
+NearGround::Code least_floor(NearGround::Code lowest) { return static_cast<NearGround::Code>((lowest * 19 + 19) / 20); }
 
 }  // namespace
 
-void FloorStrip::survey(const PixelMemory& memory) {
-  if (lowest_.size() != memory.height) lowest_.assign(memory.height, 0);
-  for (auto* counts : {&shown_, &hidden_, &foot_, &blank_}) counts->assign(memory.width, 0);
-  std::uint16_t floor = 0;  // the lowest of all rows so far
-  for (top_ = memory.height; top_ > 0; --top_) {
-    const std::uint16_t lowest = learned(memory, top_ - 1);
-    floor = std::max(floor, lowest);
-    if (lowest == 0 || lowest < least_floor(floor)) return;
-    count_row(memory, top_ - 1);
+void FloorStrip::survey(const NearGround& ground) {
+  lowest_.resize(std::max(lowest_.size(), ground.rows()), 0);
+  for (auto* counts : {&shown_, &foot_, &blank_}) counts->assign(ground.columns(), 0);
+  if (expected_.size() != ground.columns()) {
+    expected_.assign(ground.columns(), 0);
+    std::fill(lowest_.begin(), lowest_.end(), Code{0});
   }
+  strip_rows_ = 0;
+  above_border_ = false;
+  Code floor = 0;  // the lowest of all rows so far
+  for (std::size_t row = 0; row < ground.rows(); ++row) {
+    const Code lowest = learned(ground, row);
+    const bool border = floor == 0 && lowest == 0 && row < NearGround::most_rows / border_share_of_height;
+    above_border_ = above_border_ || border;
+    if (border) continue;
+    floor = std::max(floor, lowest);
+    if (lowest == 0 || lowest < least_floor(floor)) break;
+    count_row(ground, row);
+    ++strip_rows_;
+  }
+  expect(ground.columns());
 }
 
 /// The lowest ground return of a row, as far as it is remembered.
-std::uint16_t FloorStrip::learned(const PixelMemory& memory, std::size_t row) {
-  const std::uint16_t* pixels = memory.row(row);
-  using Code = std::int16_t;  // codes have 15 bits, and every vector unit compares these fastest
+NearGround::Code FloorStrip::learned(const NearGround& ground, std::size_t row) {
+  const Code* codes = ground.row(row);
   Code now = 0;
-  for (std::size_t i = 1, width = memory.width; i < width; ++i) {
-    const auto left = static_cast<Code>(PixelMemory::code_of(pixels[i - 1]));
-    const auto right = static_cast<Code>(PixelMemory::code_of(pixels[i]));
-    const Code least = std::min(left, right), most = std::max(left, right);  // one alone may be noise
-    const Code ground = most < Code{PixelMemory::elsewhere} ? least : Code{0};
-    now = std::max(now, ground);
-  }
-  std::uint16_t& lowest = lowest_[row];
-  const bool any = now >= PixelMemory::ground_zero;  // where the row is blank, nothing speaks against what was seen
-  if (any) lowest = static_cast<std::uint16_t>(std::max<int>(now, lowest - forgotten));
+  for (std::size_t i = 1; i < ground.columns(); ++i)
+    now = std::max(now, std::min(codes[i - 1], codes[i]));  // one alone may be noise
+  Code& lowest = lowest_[row];
+  if (now > 0) lowest = std::max(now, static_cast<Code>(lowest - forgotten));  // a blank row speaks against nothing
   return lowest;
 }
 
-bool FloorStrip::is_reached(const PixelMemory& memory, std::size_t column) const {
-  std::size_t row = top_;
-  while (row > 0 && PixelMemory::is_ground(PixelMemory::code_of(memory.row(row - 1)[column]))) --row;
-  if (row == 0) return false;
-  const std::uint16_t pixel = memory.row(row - 1)[column];
-  return PixelMemory::is_now(pixel) && PixelMemory::is_near(PixelMemory::code_of(pixel));
-}
-
-void FloorStrip::count_row(const PixelMemory& memory, std::size_t row) {
-  const std::uint16_t* pixels = memory.row(row);
-  const auto [first, last] = span_of_returns(pixels, memory.width);
-  const auto floor = static_cast<std::int16_t>(least_floor(lowest_[row]));
-  Count *shown = shown_.data(), *hidden = hidden_.data(), *foot = foot_.data(), *blank = blank_.data();
-  for (std::size_t i = first; i < last; ++i) {
-    const auto code = static_cast<std::int16_t>(PixelMemory::code_of(pixels[i]));
-    const Count now = PixelMemory::is_now(pixels[i]), seen_past = code >= floor, ever = code != PixelMemory::nothing;
-    shown[i] = static_cast<Count>(shown[i] + (now & seen_past));
-    hidden[i] = static_cast<Count>(hidden[i] + (ever & ~(now & seen_past)));
-    foot[i] = static_cast<Count>(foot[i] + (now & ~seen_past));
-    blank[i] = static_cast<Count>(blank[i] + (now ^ 1));
+void FloorStrip::count_row(const NearGround& ground, std::size_t row) {
+  const Code *codes = ground.row(row), floor = least_floor(lowest_[row]);
+  for (std::size_t i = 0; i < ground.columns(); ++i) {
+    const bool blank = codes[i] == NearGround::nothing;
+    const bool seen_past = codes[i] >= floor || codes[i] == NearGround::elsewhere;
+    shown_[i] = static_cast<Count>(shown_[i] + seen_past);
+    blank_[i] = static_cast<Count>(blank_[i] + blank);
+    foot_[i] = static_cast<Count>(foot_[i] + (!blank && !seen_past));
   }
 }
 
+bool FloorStrip::shows_floor(std::size_t i) const { return strip_rows_ > 0 && 2 * shown_[i] >= strip_rows_; }
+
+/// Whether columns at a side, of which this is the innermost, may be such as the camera never sees the floor in.
+bool FloorStrip::is_border(std::size_t column, std::size_t size) const {
+  const std::size_t width = expected_.size();
+  if (expected_[column] >= certain || size > width / border_share_of_width) return false;
+  return expected_[column] == 0 || size <= width / stereo_share_of_width;
+}
+
+/// A gap between floor and floor hides something, even if it was there from the start. So does a border wider than any
+/// camera's, and one in which the floor has been seen.
+void FloorStrip::expect(std::size_t columns) {
+  std::size_t left = 0, right = 0;
+  while (left < columns && !shows_floor(left)) ++left;
+  while (right < columns - left && !shows_floor(columns - 1 - right)) ++right;
+  first_ = 0, last_ = columns;
+  bool border = left < columns;
+  for (std::size_t i = 0; i < left && border; ++i) border = is_border(i, left);
+  if (border) first_ = left;
+  border = right < columns;
+  for (std::size_t i = 0; i < right && border; ++i) border = is_border(columns - 1 - i, right);
+  if (border) last_ = columns - right;
+  for (std::size_t i = 0; i < columns; ++i) {
+    if (shows_floor(i) && expected_[i] < certain) ++expected_[i];
+  }
+}
+
+bool FloorStrip::is_seen_again(std::size_t column) const {
+  const auto again = [this](std::size_t i) {
+    const auto [shown, hidden] = this->column(i);
+    return shown > 0 && 8 * hidden <= shown;
+  };
+  if (!again(column)) return false;
+  const std::size_t columns = shown_.size();
+  const double out = (static_cast<double>(column) - 0.5 * static_cast<double>(columns)) * 0.25;
+  const auto end = static_cast<std::ptrdiff_t>(column) + static_cast<std::ptrdiff_t>(out);
+  const std::ptrdiff_t direction = out < 0.0 ? -1 : 1;
+  for (auto i = static_cast<std::ptrdiff_t>(column); i != end; i += direction) {
+    if (i < static_cast<std::ptrdiff_t>(first_) || i >= static_cast<std::ptrdiff_t>(last_)) break;
+    if (blank_[static_cast<std::size_t>(i)] == strip_rows_) return false;
+  }
+  return true;
+}
+
 bool FloorStrip::is_covered() const {
-  const std::size_t width = blank_.size(), post = std::max<std::size_t>(2, width / post_share_of_width);
-  return any_adjacent(post, width,
-                      [this](std::size_t i) { return blank_[i] >= 2 && blank_[i] >= 3 * (shown_[i] + foot_[i]); });
+  const std::size_t post = std::max<std::size_t>(2, shown_.size() / post_share_of_width);
+  const auto blank_in = [this](std::size_t i) -> std::size_t {
+    return above_border_ && expected_[i] < certain ? 0 : blank_[i];
+  };
+  std::size_t blank = 0, other = 0;  // in as many columns; a stray return in one of them says nothing
+  for (std::size_t i = first_; i < last_; ++i) {
+    blank += blank_in(i);
+    other += strip_rows_ - blank_in(i);
+    if (i < first_ + post - 1) continue;
+    if (blank >= 2 * post && blank >= 3 * other) return true;
+    blank -= blank_in(i + 1 - post);
+    other -= strip_rows_ - blank_in(i + 1 - post);
+  }
+  return false;
 }
 
 }  // namespace safety_control_cloud

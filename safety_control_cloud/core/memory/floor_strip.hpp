@@ -4,45 +4,55 @@
 #include <cstdint>
 #include <vector>
 
-#include "pixel_memory.hpp"
+#include "near_ground.hpp"
 
 namespace safety_control_cloud {
 
-/// The near floor, in the lowest rows of an organised cloud: what stands in a pixel column nearer than it hides it.
-/// It is found in the memory itself: rows, from the lowest up, with near returns below the corridor. How low the floor
-/// lies in a row is the lowest such return, soon forgotten where none lies as low again: one bump of the robot must not
-/// make feet of the floor. What lies clearly higher is the foot of something. A row in which all lie higher than the
-/// floor of another shows feet alone: the strip ends there.
+/// The near floor, in the lowest rows of a picture: a thing that is expected to return. What stands in a column nearer
+/// than it hides it. Its rows are those, from the lowest that shows any ground up, whose lowest ground lies as low as
+/// the floor's. How low the floor lies in a row is the lowest such return, soon forgotten where none lies as low again:
+/// one bump of the robot must not make feet of the floor. What lies clearly higher is the foot of something. A row in
+/// which all lie higher than the floor of another shows feet alone: the strip ends there.
 class FloorStrip {
  public:
-  /// Of one pixel column, the pixels of the strip.
+  /// Of one column, the pixels of the strip.
   struct Column {
     int shown;   ///< the floor, or something beyond it, is seen now
-    int hidden;  ///< it was seen, or something before it, and now it is not
-    int foot;    ///< of the hidden ones, those that return something nearer
-    int blank;   ///< return nothing, and did at some time or have such on both sides
+    int hidden;  ///< it is expected, and now it is not seen
   };
 
-  /// Finds the floor again in the latest cloud.
-  void survey(const PixelMemory& memory);
+  /// Finds the floor again in the latest picture.
+  void survey(const NearGround& ground);
 
-  Column column(std::size_t i) const { return {shown_[i], hidden_[i], foot_[i], blank_[i]}; }
+  Column column(std::size_t i) const { return {shown_[i], i < first_ || i >= last_ ? foot_[i] : foot_[i] + blank_[i]}; }
 
-  /// Whether what is seen near now in a pixel column reaches down to the strip without a gap: nearer, it would hide it.
-  bool is_reached(const PixelMemory& memory, std::size_t column) const;
+  /// Whether the floor is seen again in a column, and everywhere farther out: what stood in it may have come nearer,
+  /// and what comes nearer moves away from the middle of the picture.
+  bool is_seen_again(std::size_t column) const;
 
-  /// Whether the strip is blank over the width of a post: something stands nearer than the camera can see.
+  /// Whether the strip is blank over the width of a post: something stands nearer than the camera can see. Above rows
+  /// that return nothing only where the floor has been seen before: such a camera leaves gaps beside it too.
   bool is_covered() const;
 
  private:
+  using Code = NearGround::Code;
   using Count = std::uint16_t;
 
-  std::uint16_t learned(const PixelMemory& memory, std::size_t row);
-  void count_row(const PixelMemory& memory, std::size_t row);
+  Code learned(const NearGround& ground, std::size_t row);
+  void count_row(const NearGround& ground, std::size_t row);
+  void expect(std::size_t columns);
+  bool is_border(std::size_t column, std::size_t size) const;
+  bool shows_floor(std::size_t i) const;
 
-  std::vector<std::uint16_t> lowest_;                 ///< code of the lowest ground return of each row; 0 = none
-  std::size_t top_ = 0;                               ///< its highest row; behind the last if there is none
-  std::vector<Count> shown_, hidden_, foot_, blank_;  ///< each beside its like: a vector unit counts several at once
+  std::vector<Code> lowest_;  ///< ground of each row; 0 = none
+  std::size_t strip_rows_ = 0;
+  bool above_border_ = false;         ///< the lowest rows return nothing
+  std::size_t first_ = 0, last_ = 0;  ///< the columns in which the floor is expected
+  // Of each column.
+  std::vector<Count> shown_;
+  std::vector<Count> foot_;             ///< return something nearer than the floor
+  std::vector<Count> blank_;            ///< return nothing
+  std::vector<std::uint8_t> expected_;  ///< so many clouds have shown the floor, at most `certain`
 };
 
 }  // namespace safety_control_cloud

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "../doubt/cause.hpp"
-#include "../look/corridor.hpp"
+#include "../look/sight.hpp"
 
 namespace safety_control_cloud {
 
@@ -16,6 +16,8 @@ struct Loss {
   std::optional<Obstacle> obstacle;  ///< as it was last seen; none if only the floor before it was ever seen
   bool whole = false;                ///< it has gone where the camera cannot see; not a few pixels at its edge
   std::string reason;
+  std::optional<double> since = {};  ///< [s] steady, if it is out of sight
+  std::string hint = {};             ///< what would free the robot, if it is
 };
 
 /// What nobody sees any more has a distance [m], but no place.

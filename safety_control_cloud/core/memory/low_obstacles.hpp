@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "loss.hpp"
+#include "near_ground.hpp"
 
 namespace safety_control_cloud {
 
@@ -20,21 +22,21 @@ class LowObstacles {
  public:
   /// The nearest in the latest cloud, if one is at least as wide as a thin post. It is lost as a whole, or about to be,
   /// if it is so near that the floor before it is not seen any more.
-  std::optional<Loss> judge(const PixelMemory& memory, const View& view, const Gaze& gaze);
+  std::optional<Loss> judge(const NearGround& ground, const Pixels& picture, const Outlook& outlook);
+
+  /// Of each column, the floor before a step that is kept [mm below the camera]; 0 if there is none.
+  const std::vector<NearGround::Code>& floor() const { return floor_; }
+  void restore(std::vector<NearGround::Code> floor) { floor_ = std::move(floor); }
 
  private:
-  using Millimetres = std::int16_t;  // every vector unit compares these fastest
+  using Millimetres = NearGround::Code;
 
-  struct Pixel {
-    std::size_t row, column;
-  };
-
-  void survey(const PixelMemory& memory);
-  bool look_at_row(const std::uint16_t* pixels);
+  void survey(const NearGround& ground);
+  void look_at_row(const Millimetres* codes);
   bool is_step(std::size_t column) const { return floor_[column] > 0; }
   bool hides_floor(std::size_t column) const;
-  /// Of each column that shows a step, the lowest pixel on it.
-  std::vector<Pixel> pixels(const PixelMemory& memory) const;
+  /// Of what the columns that show a step have lowest on it; none if all of it has gone out of the picture.
+  std::optional<Obstacle> nearest(const NearGround& ground, const Pixels& picture, const Outlook& outlook) const;
 
   // Of each column, below the camera.
   std::vector<Millimetres> floor_;   ///< before the step; 0 if there is no step

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "../look/look.hpp"
+#include "kept.hpp"
+#include "near_things.hpp"
+
 namespace safety_control_cloud {
 namespace {
 
@@ -11,10 +15,26 @@ namespace {
 /// is known of an obstacle.
 constexpr double margin = 1.04;
 
+/// So far a thing comes nearer between two clouds [m]: 2 m/s. Nearer to the blind range than this it must be kept.
+constexpr double step = 0.1;
+
+/// So much farther than what counts, things are watched.
+constexpr double watched = 1.6;
+
+constexpr double write_period = 0.25;  // [s]
+
+constexpr const char* what_frees =
+    "the camera sees what is behind it, or the near floor on which it stood; or ~reset, when somebody has looked";
+
+/// Of a picture, fewer pixels are noise; a cloud of few points has no others.
+constexpr std::size_t least_pixels = 4;
+constexpr std::size_t pixels_of_few = 400;
+
 /// Whether rows and columns mean neighbours, in counts that fit into 16 bits. One column is no picture: that is how
 /// some drivers say "not organised".
-bool is_picture(std::size_t width, std::size_t height) {
+bool is_picture(const View& view) {
   constexpr std::size_t most = std::numeric_limits<std::uint16_t>::max();
+  const std::size_t width = width_of(view), height = height_of(view);
   return width >= 2 && height >= 2 && width <= most && height <= most;
 }
 
@@ -30,35 +50,28 @@ std::optional<Loss> nearer(const std::optional<Loss>& one, const std::optional<L
 
 }  // namespace
 
-void NearLoss::limit(const NearLossLimits& limits) {
-  if (limits.distance != limits_.distance) forget();
-  limits_ = limits;
-}
-
 void NearLoss::forget() { *this = NearLoss(limits_); }
 
-PixelMemory* NearLoss::memory_for(const View& view) {
-  const std::size_t width = width_of(view), height = height_of(view);
-  if (limits_.distance <= 0.0 || !is_picture(width, height)) return nullptr;
-  if (width != memory_.width || height != memory_.height) {
-    // What was near is still there whatever the resolution: every pixel of the new one has to see past it.
-    std::uint16_t nearest = PixelMemory::nothing;
-    for (const std::uint16_t pixel : memory_.pixels) nearest = std::min(nearest, PixelMemory::code_of(pixel));
-    memory_.pixels.assign(width * height, PixelMemory::is_near(nearest) ? nearest : PixelMemory::nothing);
-    memory_.width = width;
-    memory_.height = height;
-    floor_ = FloorStrip{};
-    lost_ = LostPixels{};
-  }
-  memory_.distance = static_cast<float>(margin * limits_.distance);
-  return &memory_;
+void NearLoss::change_corridor() {
+  floor_ = FloorStrip{};
+  low_ = LowObstacles{};
 }
 
-std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const Corridor& corridor, const Gaze& gaze,
-                                    double now) {
+Rows NearLoss::rows_for(const View& view) const {
+  return limits_.distance > 0.0 && is_picture(view) ? Rows::Apart : Rows::Joined;
+}
+
+/// [m] nearer than which a thing counts when it is lost.
+double NearLoss::kept_distance() const {
+  return std::max({limits_.distance, limits_.blind_range + step, 1.1 * double{things_.blind_range()}});
+}
+float NearLoss::near_distance() const { return static_cast<float>(margin * kept_distance()); }
+float NearLoss::watched_distance() const { return static_cast<float>(watched * kept_distance()); }
+
+std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const Outlook& outlook, double now) {
   if (limits_.distance <= 0.0) return std::nullopt;
-  const auto loss =
-      gaze.memory ? judge_pixels(view, sight, gaze) : nearest_.judge(view, sight, corridor, gaze, limits_.distance);
+  auto loss = is_picture(view) ? judge_organised(view, sight, outlook) : judge_points(view, sight, outlook);
+  write_down(loss && !is_in_sight(*loss), now);
   if (!loss || is_in_sight(*loss)) {
     lost_since_.reset();
     return loss;
@@ -68,19 +81,113 @@ std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const 
     forget();
     return std::nullopt;
   }
+  loss->since = lost_since_;
+  loss->hint = loss->cause == Cause::LowObstacle
+                   ? "the floor before it is seen again; or ~reset, when somebody has looked"
+                   : what_frees;
   return loss;
 }
 
-std::optional<Loss> NearLoss::judge_pixels(const View& view, const Sight& sight, const Gaze& gaze) {
-  floor_.survey(memory_);
-  // Also while the floor is covered: who comes near meanwhile is to be let go again.
-  const std::size_t lost = lost_.forgive(memory_, floor_, sight);
-  const auto low = low_.judge(memory_, view, gaze);
+std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sight, const Outlook& outlook) {
+  const Pixels picture(view, outlook.corridor.range_min);
+  move_to({std::nullopt, picture.width(), picture.height()});
+  ground_.look_at(picture, outlook, near_distance());
+  remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels});
+  const auto low = low_.judge(ground_, picture, outlook);
   if (floor_.is_covered()) {
     return Loss{Cause::NearLoss, std::nullopt, true,
                 "the near floor is hidden by something nearer than the camera can see"};
   }
-  return nearer(low, lost_.judge(memory_, lost, sight.total, limits_.distance));
+  return nearer(low, lost(outlook));
+}
+
+std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight, const Outlook& outlook) {
+  const bool any_near = sight.nearest && sight.nearest->distance() - outlook.camera().z < watched_distance();
+  if (things_.empty() && !any_near) return std::nullopt;
+  const View raster = raster_.picture_of(view, outlook.corridor);
+  const Pixels picture(raster, outlook.corridor.range_min);
+  move_to({raster_.grid(), picture.width(), picture.height()});
+  ground_.look_at(picture, outlook, near_distance());
+  const std::size_t least = std::min(least_pixels, 1 + raster_.filled() / pixels_of_few);
+  const Sight in_raster = look(raster, outlook, Crop::Skip, Rows::Apart);
+  const bool sparse = 10 * raster_.filled() > 7 * sight.returns;
+  remember({picture, outlook, in_raster.nearest_in_rows, watched_distance(), least, sparse});
+  return lost(outlook);
+}
+
+void NearLoss::remember(const NearSearch& search) {
+  auto things = near_things(search);
+  ground_.place(things);
+  floor_.survey(ground_);
+  const auto floor_again = [this](std::size_t column) {
+    const std::size_t i = ground_.column_at(column);
+    return !ground_.is_near(i) && floor_.is_seen_again(i);
+  };
+  things_.update(std::move(things), search.picture, floor_again, near_distance());
+}
+
+void NearLoss::write_down(bool lost, double now) {
+  std::vector<Remembered> near = things_.things();
+  const auto is_far = [this](const Remembered& thing) {
+    return thing.lost.empty() && thing.seen.nearest >= near_distance();
+  };
+  near.erase(std::remove_if(near.begin(), near.end(), is_far), near.end());
+  const bool changed = lost != written_lost_ || near.empty() != text_.empty();
+  if (!changed && now - written_at_ < write_period) return;
+  text_ = to_text({frame_.width, frame_.height, things_.blind_range(), std::move(near), low_.floor()});
+  written_at_ = now;
+  written_lost_ = lost;
+}
+
+bool NearLoss::restore(const std::string& text) {
+  auto kept = kept_in(text);
+  if (!kept) return false;
+  forget();
+  frame_.width = kept->width, frame_.height = kept->height;
+  things_.restore(std::move(kept->things), kept->blind_range);
+  low_.restore(std::move(kept->low));
+  text_ = text;
+  return true;
+}
+
+/// The spots of what is remembered in another picture, from a camera that looks the same way.
+void NearLoss::move_to(const Frame& frame) {
+  if (frame == frame_) return;
+  const auto moved = [](std::ptrdiff_t at, std::size_t size) {
+    return static_cast<std::uint16_t>(std::clamp<std::ptrdiff_t>(at, 0, static_cast<std::ptrdiff_t>(size) - 1));
+  };
+  const auto scaled = [](std::size_t at, std::size_t from, std::size_t to) {
+    return static_cast<std::ptrdiff_t>((2 * at + 1) * to / (2 * std::max<std::size_t>(1, from)));
+  };
+  things_.for_each_spot([&](Spot& spot) {
+    const auto& grid = frame.grid;
+    const std::ptrdiff_t row = grid ? grid->row(spot.point) : scaled(spot.row, frame_.height, frame.height);
+    const std::ptrdiff_t column = grid ? grid->column(spot.point) : scaled(spot.column, frame_.width, frame.width);
+    spot.row = moved(row, frame.height);
+    spot.column = moved(column, frame.width);
+  });
+  frame_ = frame;
+  floor_ = FloorStrip{};
+}
+
+std::optional<Loss> NearLoss::lost(const Outlook& outlook) const {
+  std::optional<Loss> nearest;
+  const Point camera = outlook.camera();
+  for (const Remembered& thing : things_.things()) {
+    double size = 0.0, distance = std::numeric_limits<double>::infinity();
+    for (const Spot& spot : thing.lost) {
+      const Point place = placed(spot.point, outlook);
+      if (!outlook.corridor.holds(place) || !(thing.vanished || place.z - camera.z < kept_distance())) continue;
+      size += double{spot.share};
+      distance = std::min(distance, double{place.z});
+    }
+    if (size == 0.0) continue;
+    const Loss loss{Cause::NearLoss, remembered_at(distance),
+                    2.0 * size > (thing.is_seen() ? thing.size : thing.seen.size),
+                    "an obstacle has stopped returning and nothing is seen behind it"};
+    nearest = nearer(nearest, loss);
+  }
+  return nearest;
 }
 
 }  // namespace safety_control_cloud

@@ -2,56 +2,87 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
+#include "../input/runs.hpp"
+#include "../look/sight.hpp"
 #include "floor_strip.hpp"
-#include "kept_nearest.hpp"
 #include "loss.hpp"
-#include "lost_pixels.hpp"
 #include "low_obstacles.hpp"
+#include "near_things.hpp"
+#include "raster.hpp"
+#include "settings.hpp"
+#include "things_memory.hpp"
 
 namespace safety_control_cloud {
-
-struct NearLossLimits {
-  double distance = 0.75;  ///< [m] an obstacle seen nearer than this is kept when it stops returning; 0 = off
-  double timeout = 0.0;    ///< [s] after which it is forgotten all the same; 0 = never
-};
 
 /// Remembers what came near, because a depth camera is blind right before itself (an Xtion nearer than 0.4 m): an
 /// obstacle that enters this zone looks like free space far away.
 ///
 /// When a loss is believed and when it is forgiven, safe first and available second:
-/// - A pixel that last returned near and returns nothing now still has its obstacle before it; only a return from the
-///   same pixel says that it has gone. One noisy pixel is no obstacle: losses count in blocks of 2 x 2.
+/// - A thing that was near and returns nothing now is still there; only what is seen behind it, in nearly all of its
+///   extent, says that it has gone (see ThingsMemory). A single noisy pixel is no thing.
 /// - A hall deeper than the camera's range returns nothing even when free, so somebody who walked past would stop the
-///   robot for ever. But who stands on the floor also hides the near floor at the foot of the pixel column; when that
-///   floor is seen again, the column is free. What reaches down to the near floor counts too, though it hid none yet:
-///   nearer than it was, it would. A board that hangs never hid the floor, so the floor says nothing of it.
+///   robot for ever. But who stands on the floor also hides the near floor at the foot of the pixel column, or would if
+///   he came nearer; when that floor is seen again, the column is free. A board that hangs never reached down to the
+///   floor, so the floor says nothing of it.
 /// - Near floor that goes blank over the width of a post is hidden by something too near to return.
 /// - What ends below the corridor is lost from sight at the lower edge of the picture: see LowObstacles.
 class NearLoss {
  public:
   explicit NearLoss(const NearLossLimits& limits) : limits_(limits) {}
 
-  void limit(const NearLossLimits& limits);
-  void forget();
+  void limit(const NearLossLimits& limits) { limits_ = limits; }  ///< what came near is judged by them from now on
+  void forget();                                                  ///< asked by ~reset; a clock that jumps does not
 
-  /// The memory to hand to look() for this cloud; nullptr if it is not organised or the memory is off.
-  PixelMemory* memory_for(const View& view);
+  /// What is lost or near, in a few kilobytes of text, to outlive the process; empty if nothing is.
+  /// Brought up to date four times a second, and at once when something is lost or found or nothing is near any more.
+  const std::string& serialised() const { return text_; }
+  /// Goes on with what was written down; false, and nothing changes, if that makes no sense.
+  bool restore(const std::string& text);
+
+  /// The corridor is another one: what came near is judged by it from now on, all else that was seen says nothing of
+  /// it.
+  void change_corridor();
+
+  /// Whether look() is to tell the rows of this cloud apart: judge() asks for the nearest in each.
+  Rows rows_for(const View& view) const;
 
   /// What of the near obstacles is lost in this cloud, which look() has just seen. `now` [s], steady.
-  std::optional<Loss> judge(const View& view, const Sight& sight, const Corridor& corridor, const Gaze& gaze,
-                            double now);
+  std::optional<Loss> judge(const View& view, const Sight& sight, const Outlook& outlook, double now);
 
  private:
-  std::optional<Loss> judge_pixels(const View& view, const Sight& sight, const Gaze& gaze);
+  /// Where the spots of a picture lie.
+  struct Frame {
+    std::optional<Grid> grid;  ///< of a cloud that is not organised
+    std::size_t width = 0, height = 0;
+
+    bool operator==(const Frame& other) const {
+      return grid == other.grid && width == other.width && height == other.height;
+    }
+  };
+
+  std::optional<Loss> judge_organised(const View& view, const Sight& sight, const Outlook& outlook);
+  std::optional<Loss> judge_points(const View& view, const Sight& sight, const Outlook& outlook);
+  void remember(const NearSearch& search);
+  std::optional<Loss> lost(const Outlook& outlook) const;
+  void move_to(const Frame& frame);
+  void write_down(bool lost, double now);
+  double kept_distance() const;
+  float near_distance() const;
+  float watched_distance() const;
 
   NearLossLimits limits_;
-  PixelMemory memory_;
+  Frame frame_;
+  NearGround ground_;
   FloorStrip floor_;
-  LostPixels lost_;
   LowObstacles low_;
-  KeptNearest nearest_;
+  Raster raster_;
+  ThingsMemory things_;
   std::optional<double> lost_since_;
+  std::string text_;
+  double written_at_ = 0.0;    ///< [s]
+  bool written_lost_ = false;  ///< whether anything was lost then
 };
 
 }  // namespace safety_control_cloud

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <ros/ros.h>
 #include <std_msgs/Header.h>
 
 #include <exception>
 #include <functional>
 #include <string>
 
-#include "../../core/input/layout.hpp"
+#include "../../core/input/reading.hpp"
 
 namespace safety_control_cloud {
 
@@ -16,7 +15,7 @@ namespace safety_control_cloud {
 struct Arrival {
   std_msgs::Header header;  ///< as far as it could be read
   Reading reading;
-  std::string source;  ///< the publisher's name
+  std::string source;  ///< who sent it, as source_of() has it
 };
 
 /// What read() returns, or why it threw.
@@ -36,8 +35,5 @@ enum class Delivery {
   InPlace,  ///< looked at in the buffer that they were received in, from another process: no message is ever built
   Shared,   ///< of this process, as a pointer to the publisher's message; those of other processes are copied
 };
-
-ros::Subscriber subscribe_clouds(ros::NodeHandle& handle, const std::string& topic, Delivery delivery,
-                                 const OnArrival& on_arrival);
 
 }  // namespace safety_control_cloud

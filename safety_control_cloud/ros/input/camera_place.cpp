@@ -24,27 +24,16 @@ geometry_msgs::TransformStamped lookup(const tf2_ros::Buffer& buffer, const std:
   }
 }
 
-}  // namespace
-
 Placing to_placing(const geometry_msgs::Transform& cloud_in_target) {
   const auto& [translation, rotation] = std::tie(cloud_in_target.translation, cloud_in_target.rotation);
   const Eigen::Quaterniond turn(rotation.w, rotation.x, rotation.y, rotation.z);
   if (!(std::abs(turn.norm() - 1.0) < 1e-3)) return NoTransform{"the transform's rotation is not a unit quaternion"};
   Eigen::Matrix<double, 3, 4> to_target;
   to_target << turn.normalized().toRotationMatrix(), Eigen::Vector3d(translation.x, translation.y, translation.z);
-  if (!to_target.allFinite()) return NoTransform{"the transform is not finite"};
-
-  Eigen::Matrix3d to_corridor;  // right = -left, down = -up, forward = forward
-  to_corridor << 0, -1, 0, 0, 0, -1, 1, 0, 0;
-  const Eigen::Matrix<float, 3, 4> rows = (to_corridor * to_target).cast<float>();
-  Placement placement;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      placement.rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = rows(row, column);
-    }
-  }
-  return placement;
+  return placing_of(to_target);
 }
+
+}  // namespace
 
 Placing CameraPlace::at(const std_msgs::Header& cloud) const {
   try {

@@ -25,8 +25,4 @@ class CameraPlace {
   tf2_ros::TransformListener listener_;
 };
 
-/// From the cloud's frame to the corridor's axes (x right, y down, z forward) over a frame with x forward, y left, z
-/// up.
-Placing to_placing(const geometry_msgs::Transform& cloud_in_target);
-
 }  // namespace safety_control_cloud

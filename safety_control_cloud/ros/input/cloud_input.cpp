@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "arrival.hpp"
+#include "cloud_input.hpp"
 
-#include "../output/messages.hpp"
+#include <ros/ros.h>
+
+#include "cloud_message.hpp"
 #include "received_cloud.hpp"
 
 namespace safety_control_cloud {
@@ -21,16 +23,16 @@ ros::Subscriber subscribe_shared(ros::NodeHandle& handle, const std::string& top
   using Event = ros::MessageEvent<const PointCloud2>;
   const boost::function<void(const Event&)> on_message = [on_arrival](const Event& event) {
     const PointCloud2& cloud = *event.getConstMessage();
-    on_arrival(Arrival{cloud.header, readable([&] { return view_of(cloud); }), event.getPublisherName()});
+    on_arrival(
+        Arrival{cloud.header, readable([&] { return view_of(cloud); }), source_of(event.getConnectionHeaderPtr())});
   };
   return handle.subscribe<PointCloud2>(topic, 1, on_message, nullptr, ros::TransportHints().tcpNoDelay());
 }
 
 }  // namespace
 
-ros::Subscriber subscribe_clouds(ros::NodeHandle& handle, const std::string& topic, Delivery delivery,
-                                 const OnArrival& on_arrival) {
-  return (delivery == Delivery::InPlace ? subscribe_in_place : subscribe_shared)(handle, topic, on_arrival);
-}
+CloudInput::CloudInput(ros::NodeHandle& handle, const std::string& topic, Delivery delivery,
+                       const OnArrival& on_arrival)
+    : subscriber_((delivery == Delivery::InPlace ? subscribe_in_place : subscribe_shared)(handle, topic, on_arrival)) {}
 
 }  // namespace safety_control_cloud

@@ -22,8 +22,9 @@ bool is_rectified(const std::string& topic) { return topic.find("_rect", topic.r
 }  // namespace
 
 DepthInput::DepthInput(ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& topic,
-                       Delivery delivery, OnArrival on_arrival)
+                       Delivery delivery, OnArrival on_arrival, Warn warn)
     : on_arrival_(std::move(on_arrival)),
+      warn_(std::move(warn)),
       topic_(handle.resolveName(topic)),
       pairs_([this](const DepthImage& image, const CameraEvent& camera) { on_pair(image, camera); }),
       after_cameras_(*handle.getCallbackQueue()) {
@@ -57,16 +58,17 @@ void DepthInput::take_by_transport(ros::NodeHandle& handle, const std::string& t
 
 void DepthInput::on_image(const DepthImage& image) {
   if (!image.problem.empty()) return on_arrival_(Arrival{image.header, Unreadable{image.problem}, image.source});
-  if (++images_alone_ > many) {
-    ROS_WARN_THROTTLE(warning_period, "images arrive on %s, and no CameraInfo with their stamps on %s", topic_.c_str(),
-                      cameras_.getTopic().c_str());
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  if (++images_alone_ > many && (now - warned_).toSec() > warning_period) {
+    warn_("images arrive on " + topic_ + ", and no CameraInfo with their stamps on " + cameras_.getTopic());
+    warned_ = now;
   }
   pairs_.add(image);
 }
 
 void DepthInput::on_pair(const DepthImage& image, const CameraEvent& camera) {
   images_alone_ = 0;
-  const std::string source = image.source.empty() ? camera.getPublisherName() : image.source;
+  const std::string source = image.source.empty() ? source_of(camera.getConnectionHeaderPtr()) : image.source;
   const auto read = [&] { return view_of(image, *camera.getConstMessage(), is_rectified(topic_)); };
   on_arrival_(Arrival{image.header, readable(read), source});
 }

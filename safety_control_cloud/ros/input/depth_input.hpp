@@ -9,15 +9,18 @@
 #include "after_others.hpp"
 #include "arrival.hpp"
 #include "depth_pairs.hpp"
+#include "input.hpp"
 
 namespace safety_control_cloud {
 
 /// Depth images, over any image_transport, each with the CameraInfo of its stamp from the topic `camera_info` beside
 /// theirs. An image without its CameraInfo is no measurement and arrives nowhere; a warning says so.
-class DepthInput {
+class DepthInput : public Input {
  public:
   DepthInput(ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& topic,
-             Delivery delivery, OnArrival on_arrival);
+             Delivery delivery, OnArrival on_arrival, Warn warn);
+
+  const char* what() const override { return "Depth image"; }
 
  private:
   void take_in_place(ros::NodeHandle& handle, const std::string& topic);
@@ -27,6 +30,7 @@ class DepthInput {
   void on_pair(const DepthImage& image, const CameraEvent& camera);
 
   OnArrival on_arrival_;
+  Warn warn_;
   std::string topic_;  ///< without the transport's own name
   DepthPairs pairs_;
   AfterOthers after_cameras_;
@@ -34,6 +38,7 @@ class DepthInput {
   std::optional<image_transport::ImageTransport> transport_;  ///< with its subscriber, in place of received_
   image_transport::Subscriber transported_;
   std::size_t images_alone_ = 0;  ///< since the latest pair
+  ros::SteadyTime warned_;
 };
 
 }  // namespace safety_control_cloud

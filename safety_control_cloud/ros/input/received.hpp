@@ -8,9 +8,11 @@
 #include <functional>
 #include <string>
 
+#include "source.hpp"
+
 namespace safety_control_cloud {
 
-/// Takes a serialised message and its publisher's name. Both are borrowed for the length of the call.
+/// Takes a serialised message and who sent it, as source_of() has it. Both are borrowed for the length of the call.
 using Take = std::function<void(ros::serialization::IStream& message, const std::string& source)>;
 
 /// A Message to roscpp, but one that keeps nothing: it is taken while it is being deserialised, the only moment at
@@ -52,7 +54,7 @@ namespace serialization {
 template <class Message>
 struct PreDeserialize<safety_control_cloud::Received<Message>> {
   static void notify(const PreDeserializeParams<safety_control_cloud::Received<Message>>& about) {
-    about.message->source = (*about.connection_header)["callerid"];
+    about.message->source = safety_control_cloud::source_of(about.connection_header);
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "received_cloud.hpp"
 
+#include "../../core/input/layout.hpp"
 #include "wire.hpp"
 
 namespace safety_control_cloud {

@@ -8,7 +8,7 @@
 #include <deque>
 #include <optional>
 
-#include "../../core/safety_control.hpp"
+#include "../../core/decision.hpp"
 
 namespace safety_control_cloud {
 

@@ -4,7 +4,8 @@
 #include <std_msgs/Header.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include "../../core/safety_control.hpp"
+#include "../../core/decision.hpp"
+#include "../../core/settings.hpp"
 
 namespace safety_control_cloud {
 

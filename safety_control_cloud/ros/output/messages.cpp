@@ -13,19 +13,6 @@ namespace {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double free_ahead = std::numeric_limits<double>::infinity();
 
-Layout layout_of(const sensor_msgs::PointCloud2& cloud) {
-  Layout layout;
-  layout.height = cloud.height;
-  layout.width = cloud.width;
-  layout.is_bigendian = cloud.is_bigendian != 0;
-  layout.point_step = cloud.point_step;
-  layout.row_step = cloud.row_step;
-  for (const auto& field : cloud.fields) {
-    layout.fields.push_back(Field{field.name, field.offset, field.datatype, field.count});
-  }
-  return layout;
-}
-
 double nearest_in(const Decision& decision) {
   if (decision.nearest) return decision.nearest->distance();
   return decision.cause == Cause::Seen ? free_ahead : unknown;
@@ -38,10 +25,6 @@ geometry_msgs::Point nearest_point_in(const Decision& decision, const CorridorFr
 }
 
 }  // namespace
-
-Reading view_of(const sensor_msgs::PointCloud2& cloud) {
-  return view_of(layout_of(cloud), cloud.data.data(), cloud.data.size());
-}
 
 geometry_msgs::Twist to_twist(const Decision& decision) {
   geometry_msgs::Twist twist;

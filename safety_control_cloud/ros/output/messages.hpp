@@ -5,12 +5,10 @@
 #include <safety_control_cloud/SafetyState.h>
 #include <sensor_msgs/PointCloud2.h>
 
-#include "../../core/safety_control.hpp"
+#include "../../core/decision.hpp"
+#include "../../core/settings.hpp"
 
 namespace safety_control_cloud {
-
-/// The points of a message, borrowed from it, or why they cannot be read.
-Reading view_of(const sensor_msgs::PointCloud2& cloud);
 
 geometry_msgs::Twist to_twist(const Decision& decision);
 

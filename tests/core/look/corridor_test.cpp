@@ -1,29 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../../safety_control_cloud/core/look/corridor.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "../../../safety_control_cloud/core/look/look.hpp"
 #include "../../../safety_control_cloud/core/look/passthrough.hpp"
 #include "../input/cloud_builder.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
-using Look = Sight (*)(const View&, const Corridor&, const Gaze&);
-
-Gaze keeping_the_crop() {
-  Gaze gaze;
-  gaze.crop = Crop::Keep;
-  return gaze;
-}
+using Look = Sight (*)(const View&, const Outlook&, Crop, Rows);
 
 /// Both methods must pass every test: what holds for one holds for the other.
 class Corridors : public testing::TestWithParam<Look> {
  protected:
   Sight see(const std::vector<Xyz>& points, const Corridor& corridor = {}) const {
-    return GetParam()(view_of(points), corridor, keeping_the_crop());
+    return GetParam()(view_of(points), corridor, Crop::Keep, Rows::Joined);
   }
 };
 
@@ -137,7 +130,7 @@ TEST_P(Corridors, CropHoldsTheInsidePointsInTheCloudsOrder) {
 
 TEST_P(Corridors, NoCropIsMadeUnlessAskedFor) {
   const std::vector<Xyz> points = {{0, 0, 1}};
-  EXPECT_FALSE(GetParam()(view_of(points), {}, {}).crop);
+  EXPECT_FALSE(GetParam()(view_of(points), {}, Crop::Skip, Rows::Joined).crop);
 }
 
 TEST_P(Corridors, FarDoubleStaysAFarFiniteNumber) {
@@ -146,7 +139,7 @@ TEST_P(Corridors, FarDoubleStaysAFarFiniteNumber) {
   view.bytes = reinterpret_cast<const std::uint8_t*>(points.data());
   view.width = 3, view.height = 1, view.point_step = 24, view.row_step = 72, view.offset = {0, 8, 16};
   view.scalar = Scalar::Float64;
-  const Sight sight = GetParam()(view, {}, {});
+  const Sight sight = GetParam()(view, {}, Crop::Skip, Rows::Joined);
   EXPECT_EQ(sight.returns, std::size_t{2});
   EXPECT_EQ(sight.too_close, std::size_t{0}) << "a finite number is not REP 117's -Inf";
   EXPECT_EQ(sight.nearest->distance(), double{std::numeric_limits<float>::max()});
@@ -156,10 +149,8 @@ TEST_P(Corridors, PlacedCorridorLooksForwardFromItsOwnFrame) {
   Placement
       placement;  // a camera 0.1 m behind the frame's origin and 0.3 m above it, turned to the right by 90 degrees
   placement.rows = {{{0, 0, 1, 0}, {0, 1, 0, -0.3f}, {-1, 0, 0, -0.1f}}};
-  Gaze gaze = keeping_the_crop();
-  gaze.placement = &placement;
   const std::vector<Xyz> points = {{-0.9f, 0.2f, 0.1f}, {0.5f, 0.2f, 0.1f}, {-0.9f, 0.2f, 1.0f}, {0, 0, 0}};
-  const Sight sight = GetParam()(view_of(points), {}, gaze);
+  const Sight sight = GetParam()(view_of(points), Outlook({}, placement), Crop::Keep, Rows::Joined);
   EXPECT_EQ(sight.returns, std::size_t{3}) << "(0, 0, 0) of the sensor is no return wherever the sensor is";
   EXPECT_EQ(sight.inside, std::size_t{1}) << "one is behind the frame's origin, one beside the corridor";
   EXPECT_FLOAT_EQ(sight.nearest->point.x, 0.1f);
@@ -168,22 +159,12 @@ TEST_P(Corridors, PlacedCorridorLooksForwardFromItsOwnFrame) {
   EXPECT_EQ(sight.crop->points[0].x, -0.9f) << "the crop stays in the cloud's frame";
 }
 
-TEST_P(Corridors, PixelsRememberWhatTheyReturnedLast) {
-  PixelMemory memory;
-  memory.distance = 0.75f;
-  memory.width = 5, memory.height = 1;
-  memory.pixels.assign(5, PixelMemory::nothing);
-  Gaze gaze;
-  gaze.memory = &memory;
-  const std::vector<Xyz> near = {{0, 0, 0.5f}, {0, 0, 2}, {0, 0.25f, 0.7f}, {0.4f, 0, 0.6f}, {nan, nan, nan}};
-  EXPECT_EQ(GetParam()(view_of(near), {}, gaze).lost, std::size_t{0});
-  const auto seen = [](int code) { return static_cast<std::uint16_t>(code | PixelMemory::now); };
-  EXPECT_EQ(memory.pixels, (std::vector<std::uint16_t>{seen(5000), seen(PixelMemory::elsewhere), seen(30250),
-                                                       seen(PixelMemory::elsewhere), PixelMemory::nothing}));
-
-  const std::vector<Xyz> blank(5, Xyz{nan, nan, nan});
-  EXPECT_EQ(GetParam()(view_of(blank), {}, gaze).lost, std::size_t{1});
-  EXPECT_EQ(memory.pixels[0], 5000);
+TEST_P(Corridors, NearestOfEachRowIsToldWhereRowsAreToldApart) {
+  const std::vector<Xyz> points = {{0, 0, 2}, {0, 0, 0.5f}, {0.4f, 0, 0.6f}, {nan, nan, nan}, {0, 0, 3}, {0, 0.25f, 1}};
+  CloudView view = view_of(points);
+  view.width = 2, view.height = 3, view.row_step = 2 * sizeof(Xyz);
+  EXPECT_TRUE(GetParam()(view, {}, Crop::Skip, Rows::Joined).nearest_in_rows.empty());
+  EXPECT_EQ(GetParam()(view, {}, Crop::Skip, Rows::Apart).nearest_in_rows, (std::vector<float>{0.5f, inf, 3.0f}));
 }
 
 }  // namespace

@@ -5,7 +5,8 @@
 #include <optional>
 #include <random>
 
-#include "../../../safety_control_cloud/core/look/corridor.hpp"
+#include "../../../safety_control_cloud/core/input/runs.hpp"
+#include "../../../safety_control_cloud/core/look/outlook.hpp"
 
 namespace safety_control_cloud {
 
@@ -14,7 +15,7 @@ namespace safety_control_cloud {
 struct RandomCase {
   Corridor corridor;
   std::optional<Placement> placement;
-  PixelMemory memory;  ///< as what came before may have left it; not kept up if its distance is 0
+  Rows rows = Rows::Joined;
 
  protected:
   explicit RandomCase(std::uint64_t seed) : random_(seed) {}
@@ -33,16 +34,7 @@ struct RandomCase {
     }
   }
 
-  void choose_memory(std::initializer_list<float> distances, const View& view) {
-    memory.distance = pick(distances);
-    memory.width = width_of(view);
-    memory.height = height_of(view);
-    for (std::size_t i = 0; i < size_of(view); ++i) {
-      const int near = static_cast<int>(random_() % PixelMemory::elsewhere);
-      const int code = pick({near, int{PixelMemory::elsewhere}, int{PixelMemory::nothing}});
-      memory.pixels.push_back(static_cast<std::uint16_t>(code | pick({0, int{PixelMemory::now}})));
-    }
-  }
+  void choose_rows() { rows = pick({Rows::Joined, Rows::Apart}); }
 
   std::mt19937_64 random_;
 };

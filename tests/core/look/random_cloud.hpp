@@ -52,7 +52,7 @@ struct RandomCloud : RandomCase {
     choose_layout();
     choose_placement();
     if (placement && random_() % 8 == 0) std::swap(placement->rows[0], placement->rows[2]);
-    choose_memory({0.0f, 0.0f, 0.75f, 1.5f, 2.7f}, view);
+    choose_rows();
     odd_share_ = pick({0.0, 0.02, 0.3, 1.0});
     depth_steps_ = pick({3.0, 100.0, 1e6});
     for (std::size_t row = 0; row < view.height; ++row) {

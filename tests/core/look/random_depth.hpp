@@ -22,7 +22,7 @@ struct RandomDepth : RandomCase {
     choose_corridor();
     choose_layout();
     choose_placement();
-    choose_memory({0.0f, 0.75f, 1.5f, 2.7f}, view);
+    choose_rows();
     odd_share_ = pick({0.0, 0.05, 0.3, 1.0});
     for (std::size_t v = 0; v < view.height; ++v) {
       for (std::size_t u = 0; u < view.width; ++u) {
@@ -31,6 +31,17 @@ struct RandomDepth : RandomCase {
                                                      : write(pixel, millimetres(u, v), u, v));
       }
     }
+  }
+
+  /// Whether the i-th pixel holds it.
+  bool is_minus_inf(std::size_t i) const {
+    if (view.depth != Depth::Metres) return false;
+    std::uint8_t raw[sizeof(float)];
+    std::memcpy(raw, bytes.data() + i / view.width * view.row_step + i % view.width * sizeof(float), sizeof raw);
+    if (view.swapped) std::reverse(std::begin(raw), std::end(raw));
+    float depth = 0.0f;
+    std::memcpy(&depth, raw, sizeof depth);
+    return depth == -inf;
   }
 
   /// The same points as a cloud.

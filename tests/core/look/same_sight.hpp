@@ -20,44 +20,26 @@ class InstructionSet : public testing::TestWithParam<std::string> {
   void TearDown() override { use_instruction_set(""); }
 };
 
-using WayToLook = Sight (*)(const View&, const Corridor&, const Gaze&);
+using WayToLook = Sight (*)(const View&, const Outlook&, Crop, Rows);
 
-/// What one method sees, and what the pixels remember afterwards.
-struct Seen {
-  Sight sight;
-  std::vector<std::uint16_t> pixels;
-  NearPixels near;
-};
-
-inline Seen seen_by(WayToLook method, const View& view, const RandomCase& shown, Crop crop = Crop::Keep) {
-  PixelMemory memory = shown.memory;
-  Gaze gaze;
-  gaze.crop = crop;
-  if (shown.placement) gaze.placement = &*shown.placement;
-  if (memory.distance > 0.0f) gaze.memory = &memory;
-  const Sight sight = method(view, shown.corridor, gaze);
-  return {sight, memory.pixels, memory.near};
+inline Sight seen_by(WayToLook method, const View& view, const RandomCase& shown, Crop crop = Crop::Keep) {
+  return method(view, Outlook(shown.corridor, shown.placement), crop, shown.rows);
 }
 
 inline bool same_bits(const Point& a, const Point& b) { return std::memcmp(a.data, b.data, 3 * sizeof(float)) == 0; }
 
 inline bool same(const Sight& a, const Sight& b) {
   if (a.inside != b.inside || a.too_close != b.too_close || a.returns != b.returns || a.total != b.total) return false;
-  if (a.lost != b.lost) return false;
+  if (a.nearest_in_rows != b.nearest_in_rows) return false;
   if (a.nearest.has_value() != b.nearest.has_value()) return false;
   if (a.nearest && !same_bits(a.nearest->point, b.nearest->point)) return false;
   if ((a.crop == nullptr) != (b.crop == nullptr)) return false;
   return !a.crop || std::equal(a.crop->begin(), a.crop->end(), b.crop->begin(), b.crop->end(), same_bits);
 }
 
-inline bool same(const NearPixels& a, const NearPixels& b) {
-  return a.nearest_now == b.nearest_now && a.nearest_lost == b.nearest_lost && a.now == b.now && a.lost == b.lost;
-}
-
 inline std::string words(const Sight& sight) {
   return std::to_string(sight.inside) + " inside, " + std::to_string(sight.too_close) + " too close, " +
-         std::to_string(sight.returns) + " returns of " + std::to_string(sight.total) + ", " +
-         std::to_string(sight.lost) + " lost, nearest " +
+         std::to_string(sight.returns) + " returns of " + std::to_string(sight.total) + ", nearest " +
          (sight.nearest ? std::to_string(sight.nearest->distance()) : "none");
 }
 

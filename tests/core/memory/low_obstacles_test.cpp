@@ -54,8 +54,9 @@ TEST(LowObstacles, CorridorOnTheFloorSeesTheSameKerb) {
   Placement camera;
   camera.rows[1][3] = -floor_y;
   Settings settings;
-  settings.corridor.y_min -= floor_y;
-  settings.corridor.y_max -= floor_y;
+  settings.target_frame = "base_footprint";
+  settings.frame_corridor.top = 0.25 + double{floor_y};
+  settings.frame_corridor.bottom = -0.20 + double{floor_y};
   Robot robot(settings, camera);
   EXPECT_EQ(robot.sees({kerb(1.0f, 0.05f)}).speed, 0.2);
   EXPECT_EQ(robot.sees({kerb(0.74f, 0.05f)}).cause, Cause::LowObstacle);

@@ -43,45 +43,6 @@ TEST(NearLoss, RobotStandsForAPostThatJumpsFromWarningToTooNear) {
   EXPECT_EQ(decision.speed, 0.0) << "0.7 m would be Warning, but it can only have come nearer";
 }
 
-TEST(NearLoss, RobotStandsForAPostThatSlidesInFromTheSideTooNearToBeSeen) {
-  Robot robot;
-  robot.sees(Scene());
-  for (const float x : {0.15f, 0.1f, 0.0f, -0.05f}) {
-    const Decision decision = robot.sees({post(0.35f, x, 0.04f)});
-    EXPECT_EQ(decision.cause, Cause::NearLoss) << x;
-    EXPECT_EQ(decision.speed, 0.0) << x;
-  }
-  EXPECT_EQ(robot.sees(Scene()).speed, 0.2) << "it has gone: the floor is seen again";
-}
-
-TEST(NearLoss, RobotStandsForAPostThatWasTooNearToBeSeenFromTheStart) {
-  for (const float z : {0.2f, 0.3f, 0.38f}) {
-    Robot robot;
-    const Decision decision = robot.sees({post(z, 0.0f, 0.03f)});
-    EXPECT_EQ(decision.cause, Cause::NearLoss) << z;
-    EXPECT_EQ(decision.speed, 0.0) << z;
-  }
-}
-
-Scene with_borders(std::size_t left, std::size_t right) {
-  Scene scene;
-  for (std::size_t row = 0; row < Scene::height; ++row) {
-    for (std::size_t i = 0; i < left; ++i) scene.set(row, i, NAN);
-    for (std::size_t i = 1; i <= right; ++i) scene.set(row, Scene::width - i, NAN);
-  }
-  return scene;
-}
-
-TEST(NearLoss, ABorderOfThePictureThatNeverReturnsHidesNothing) {
-  Robot robot;
-  EXPECT_EQ(robot.sees(with_borders(20, 20)).speed, 0.2);
-}
-
-TEST(NearLoss, RobotStandsForAPostAtTheBorderOfThePictureThatWasTooNearToBeSeenFromTheStart) {
-  EXPECT_EQ(Robot().sees(with_borders(21, 0)).speed, 0.0) << "no camera has a border as wide as this";
-  EXPECT_EQ(Robot().sees(with_borders(0, 21)).speed, 0.0);
-}
-
 TEST(NearLoss, RobotDrivesOnWhenALegThatHidLittleMoreThanTheNearestFloorHasGone) {
   Robot robot;
   robot.sees(Scene());
@@ -196,6 +157,29 @@ TEST(NearLoss, LossIsForgottenByHandAndAfterTheTimeoutOnly) {
   EXPECT_EQ(impatient.sees({hanging(0.35f)}).speed, 0.0);
   impatient.waits(0.1);
   EXPECT_EQ(impatient.sees({hanging(0.35f)}).speed, 0.2);
+}
+
+/// The wall filled the picture, so every pixel of the strip between the two limits has seen "not in the corridor".
+TEST(NearLoss, WhatWasSeenBesideTheOldCorridorSaysNothingOfANewOne) {
+  Settings narrow, wide;
+  narrow.corridor.x_max = 0.1f;
+  Robot robot(narrow);
+  const Board beside = {0.5f, 0.15f, 0.25f, -0.3f, 0.1f};
+  robot.sees(Scene({beside}));
+  robot.control().adopt(wide);
+  EXPECT_EQ(robot.sees(Scene({beside})).cause, Cause::Seen);
+  EXPECT_EQ(robot.sees(Scene({{0.39f, 0.15f, 0.25f, -0.3f, 0.1f}})).cause, Cause::NearLoss);
+}
+
+TEST(NearLoss, WhatIsLostStaysLostUnderAnotherCorridor) {
+  Robot robot;
+  robot.sees(Scene({{0.45f, -0.2f, 0.2f, -0.3f, 0.05f}}));
+  EXPECT_EQ(robot.sees(Scene()).cause, Cause::NearLoss);
+  Settings wide;
+  wide.corridor.x_max = 0.4f;
+  robot.control().adopt(wide);
+  EXPECT_EQ(robot.sees(Scene()).cause, Cause::NearLoss);
+  EXPECT_EQ(robot.sees(Scene()).speed, 0.0);
 }
 
 TEST(NearLoss, MemoryCanBeSwitchedOff) {

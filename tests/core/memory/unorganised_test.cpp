@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../../safety_control_cloud/core/memory/kept_nearest.hpp"
-
 #include <gtest/gtest.h>
 
+#include "../../../safety_control_cloud/core/memory/raster.hpp"
 #include "looking_robot.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
-TEST(KeptNearest, UnorganisedCloudKeepsItsNearestUntilSomethingIsSeenBehindIt) {
+TEST(Unorganised, UnorganisedCloudKeepsItsNearestUntilSomethingIsSeenBehindIt) {
   Robot robot;
   const std::vector<Xyz> near = {{0.05f, 0.0f, 0.45f}, {0.0f, 1.0f, 3.0f}};
   const std::vector<Xyz> lost = {{0.9f, 0.0f, 3.0f}, {0.0f, 1.0f, 3.0f}};
@@ -21,7 +20,7 @@ TEST(KeptNearest, UnorganisedCloudKeepsItsNearestUntilSomethingIsSeenBehindIt) {
   EXPECT_EQ(robot.sees(view_of(behind)).speed, 0.2);
 }
 
-TEST(KeptNearest, AnotherOneFartherAwayDoesNotTakeItsPlace) {
+TEST(Unorganised, AnotherOneFartherAwayDoesNotTakeItsPlace) {
   Robot robot;
   const std::vector<Xyz> both = {{0.0f, 0.0f, 0.45f}, {0.2f, 0.0f, 0.7f}, {0.0f, 1.0f, 3.0f}};
   const std::vector<Xyz> farther = {{nan, nan, nan}, {0.2f, 0.0f, 0.7f}, {0.0f, 1.0f, 3.0f}};
@@ -32,12 +31,12 @@ TEST(KeptNearest, AnotherOneFartherAwayDoesNotTakeItsPlace) {
   EXPECT_EQ(robot.sees(view_of(behind)).speed, 0.1);
 }
 
-TEST(KeptNearest, BehindIsAsTheCameraLooksWhereverTheCorridorLies) {
+TEST(Unorganised, BehindIsAsTheCameraLooksWhereverTheCorridorLies) {
   Placement on_the_floor;
   on_the_floor.rows[1][3] = -0.3f;
   Settings settings;
-  settings.corridor.y_min = -0.5f;
-  settings.corridor.y_max = -0.05f;
+  settings.target_frame = "base_footprint";
+  settings.frame_corridor.top = 0.5;
   Robot robot(settings, on_the_floor);
   const std::vector<Xyz> near = {{0.0f, 0.2f, 0.45f}, {0.0f, -1.0f, 3.0f}};
   const std::vector<Xyz> above = {{0.0f, -0.367f, 3.0f}, {0.0f, -1.0f, 3.0f}};  // as from the floor it would be behind
@@ -47,7 +46,7 @@ TEST(KeptNearest, BehindIsAsTheCameraLooksWhereverTheCorridorLies) {
   EXPECT_EQ(robot.sees(view_of(behind)).speed, 0.2);
 }
 
-TEST(KeptNearest, CloudOfOneColumnIsNoPictureAndKeepsItsNearestToo) {
+TEST(Unorganised, CloudOfOneColumnIsNoPictureAndKeepsItsNearestToo) {
   const auto column = [](const std::vector<Xyz>& points) {
     CloudView view = view_of(points);
     view.width = 1, view.height = points.size(), view.row_step = sizeof(Xyz);
@@ -60,7 +59,7 @@ TEST(KeptNearest, CloudOfOneColumnIsNoPictureAndKeepsItsNearestToo) {
   EXPECT_EQ(robot.sees(column(lost)).cause, Cause::NearLoss);
 }
 
-TEST(KeptNearest, PictureTooTallToCountStillKeepsItsNearest) {
+TEST(Unorganised, PictureTooTallToCountStillKeepsItsNearest) {
   std::vector<Xyz> points(2 * 65536, Xyz{0.0f, 0.0f, 0.6f});
   CloudView tall = view_of(points);
   tall.width = 2, tall.height = 65536, tall.row_step = 2 * sizeof(Xyz);
@@ -70,7 +69,7 @@ TEST(KeptNearest, PictureTooTallToCountStillKeepsItsNearest) {
   EXPECT_EQ(robot.sees(tall).cause, Cause::NearLoss);
 }
 
-TEST(KeptNearest, UnorganisedObstacleThatWasTooCloseToMeasureDoesNotStopTheRobotForEver) {
+TEST(Unorganised, UnorganisedObstacleThatWasTooCloseToMeasureDoesNotStopTheRobotForEver) {
   Robot robot;
   const std::vector<Xyz> too_close = {{nan, nan, -inf}, {0.0f, 1.0f, 3.0f}};
   const std::vector<Xyz> free = {{0.9f, 0.0f, 3.0f}, {0.0f, 1.0f, 3.0f}};
@@ -78,7 +77,7 @@ TEST(KeptNearest, UnorganisedObstacleThatWasTooCloseToMeasureDoesNotStopTheRobot
   EXPECT_EQ(robot.sees(view_of(free)).speed, 0.2);
 }
 
-TEST(KeptNearest, UnorganisedObstacleThatCameTooCloseToMeasureIsStillThere) {
+TEST(Unorganised, UnorganisedObstacleThatCameTooCloseToMeasureIsStillThere) {
   Robot robot;
   const std::vector<Xyz> near = {{0.0f, 0.0f, 0.6f}, {0.0f, 1.0f, 3.0f}};
   const std::vector<Xyz> too_close = {{nan, nan, -inf}, {0.0f, 1.0f, 3.0f}};
@@ -88,12 +87,22 @@ TEST(KeptNearest, UnorganisedObstacleThatCameTooCloseToMeasureIsStillThere) {
   EXPECT_EQ(robot.sees(view_of(lost)).cause, Cause::NearLoss);
 }
 
-TEST(KeptNearest, UnorganisedObstacleThatRetreatsIsNotLost) {
+TEST(Unorganised, UnorganisedObstacleThatRetreatsIsNotLost) {
   Robot robot;
   const std::vector<Xyz> near = {{0.0f, 0.0f, 0.74f}, {0.0f, 1.0f, 3.0f}};
   const std::vector<Xyz> farther = {{0.08f, 0.0f, 0.76f}, {0.0f, 1.0f, 3.0f}};
   robot.sees(view_of(near));
   EXPECT_EQ(robot.sees(view_of(farther)).cause, Cause::Seen);
+}
+
+TEST(Unorganised, PointsThatAllLieFarAsideAreAPictureOfNothing) {
+  Settings settings;
+  settings.min_valid_ratio = 0.0;
+  Robot robot(settings);
+  robot.sees({{0.45f, -0.2f, 0.2f, -0.2f, 0.05f}});
+  const std::vector<Xyz> aside(50, Xyz{10.0f, 0.0f, 1.0f});
+  for (int i = 0; i < 5; ++i)
+    EXPECT_EQ(robot.sees(view_of(aside)).cause, Cause::NearLoss) << "nothing is seen behind it";
 }
 
 }  // namespace

@@ -3,15 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
-#include <vector>
-
 #include "../../../safety_control_cloud/ros/input/received.hpp"
+#include "../serialised.hpp"
 
 namespace safety_control_cloud {
 namespace {
-
-using Buffer = std::vector<std::uint8_t>;
 
 // [byte] in a serialised image whose frame_id is "camera": seq, stamp and the name's length come before the name.
 constexpr std::size_t frame_id_length = 12, height = frame_id_length + 4 + 6, encoding_length = height + 8,
@@ -39,29 +35,13 @@ sensor_msgs::CameraInfo camera() {
   return info;
 }
 
-Buffer serialised(const sensor_msgs::Image& image) {
-  Buffer bytes(ros::serialization::serializationLength(image));
-  ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-  ros::serialization::serialize(stream, image);
-  return bytes;
-}
-
-/// As roscpp hands it over: in a buffer that ends where the message does, so that AddressSanitizer sees who reads on.
 DepthImage received(Buffer& bytes) {
-  bytes.shrink_to_fit();
-  ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::IStream stream = stream_of(bytes);
   return image_in(stream);
 }
 
 Buffer with_number_at(std::size_t place, std::uint32_t number) {
-  Buffer bytes = serialised(message());
-  std::memcpy(bytes.data() + place, &number, sizeof(number));
-  return bytes;
-}
-
-std::string reason_in(const Reading& reading) {
-  const auto* unreadable = std::get_if<Unreadable>(&reading);
-  return unreadable ? unreadable->reason : "";
+  return safety_control_cloud::with_number_at(place, number, serialised(message()));
 }
 
 TEST(DepthImage, DepthsAreBorrowedFromTheBuffer) {

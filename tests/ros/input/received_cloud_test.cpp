@@ -4,13 +4,10 @@
 #include <gtest/gtest.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
 
-#include <cstring>
-#include <vector>
+#include "../serialised.hpp"
 
 namespace safety_control_cloud {
 namespace {
-
-using Bytes = std::vector<std::uint8_t>;
 
 // [byte] in a serialised cloud whose frame_id is "camera": seq, stamp and the name's length come before the name.
 constexpr std::size_t frame_id_length = 12, field_count = frame_id_length + 4 + 6 + 8,
@@ -27,35 +24,20 @@ sensor_msgs::PointCloud2 message() {
   return cloud;
 }
 
-Bytes serialised(const sensor_msgs::PointCloud2& cloud) {
-  Bytes bytes(ros::serialization::serializationLength(cloud));
-  ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-  ros::serialization::serialize(stream, cloud);
-  return bytes;
-}
-
-/// As roscpp calls it: of a buffer that ends where the message does, so that AddressSanitizer sees who reads on.
-Arrival arrival_of(const Bytes& bytes) {
-  Bytes buffer(bytes);
-  buffer.shrink_to_fit();
-  ros::serialization::IStream stream(buffer.data(), static_cast<std::uint32_t>(buffer.size()));
+Arrival arrival_of(Buffer bytes) {
+  ros::serialization::IStream stream = stream_of(bytes);
   return arrival_in(stream);
 }
 
-Bytes with_number_at(std::size_t place, std::uint32_t number) {
-  Bytes bytes = serialised(message());
-  std::memcpy(bytes.data() + place, &number, sizeof(number));
-  return bytes;
+Buffer with_number_at(std::size_t place, std::uint32_t number) {
+  return safety_control_cloud::with_number_at(place, number, serialised(message()));
 }
 
-std::string reason_in(const Arrival& arrival) {
-  const auto* unreadable = std::get_if<Unreadable>(&arrival.reading);
-  return unreadable ? unreadable->reason : "";
-}
+std::string reason_in(const Arrival& arrival) { return safety_control_cloud::reason_in(arrival.reading); }
 
 TEST(ReceivedCloud, PointsAreBorrowedFromTheBuffer) {
-  Bytes bytes = serialised(message());
-  ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  Buffer bytes = serialised(message());
+  ros::serialization::IStream stream = stream_of(bytes);
   const Arrival arrival = arrival_in(stream);
   ASSERT_TRUE(std::holds_alternative<CloudView>(arrival.reading)) << reason_in(arrival);
   const CloudView& view = std::get<CloudView>(arrival.reading);
@@ -74,15 +56,15 @@ TEST(ReceivedCloud, HeaderIsTheMessages) {
 }
 
 TEST(ReceivedCloud, MessageCutShortAnywhereIsUnreadable) {
-  const Bytes whole = serialised(message());
+  const Buffer whole = serialised(message());
   for (std::size_t size = 0; size < whole.size(); ++size) {
     const auto end = whole.begin() + static_cast<std::ptrdiff_t>(size);
-    EXPECT_NE(reason_in(arrival_of(Bytes(whole.begin(), end))), "") << "cut at byte " << size;
+    EXPECT_NE(reason_in(arrival_of(Buffer(whole.begin(), end))), "") << "cut at byte " << size;
   }
 }
 
 TEST(ReceivedCloud, MessageThatGoesOnIsUnreadable) {
-  Bytes bytes = serialised(message());
+  Buffer bytes = serialised(message());
   bytes.push_back(0);
   EXPECT_EQ(reason_in(arrival_of(bytes)), "the message goes on after its contents");
 }

@@ -9,27 +9,11 @@
 namespace safety_control_cloud {
 namespace {
 
-sensor_msgs::PointCloud2 message_of(std::size_t points) {
-  sensor_msgs::PointCloud2 cloud;
-  cloud.header.frame_id = "camera_depth_optical_frame";
-  cloud.header.stamp = ros::Time(12, 345678901);
-  sensor_msgs::PointCloud2Modifier modifier(cloud);
-  modifier.setPointCloud2FieldsByString(2, "xyz", "rgb");
-  modifier.resize(points);
-  return cloud;
-}
-
-TEST(Messages, CloudIsBorrowedNotCopied) {
-  const sensor_msgs::PointCloud2 cloud = message_of(5);
-  const Reading reading = view_of(cloud);
-  ASSERT_TRUE(std::holds_alternative<CloudView>(reading));
-  EXPECT_EQ(std::get<CloudView>(reading).bytes, cloud.data.data());
-  EXPECT_EQ(std::get<CloudView>(reading).size(), std::size_t{5});
-  EXPECT_EQ(std::get<CloudView>(reading).point_step, std::size_t{32});
-}
-
-TEST(Messages, CloudWithoutFieldsIsUnreadable) {
-  EXPECT_TRUE(std::holds_alternative<Unreadable>(view_of(sensor_msgs::PointCloud2())));
+std_msgs::Header header() {
+  std_msgs::Header header;
+  header.frame_id = "camera_depth_optical_frame";
+  header.stamp = ros::Time(12, 345678901);
+  return header;
 }
 
 TEST(Messages, TwistHasTheSpeedForwardAndNothingElse) {
@@ -74,9 +58,12 @@ TEST(Messages, EveryCauseBearsTheSameNumberAndNameInTheMessage) {
                                                            {SafetyState::FROZEN, "FROZEN"},
                                                            {SafetyState::NO_TRANSFORM, "NO_TRANSFORM"},
                                                            {SafetyState::TWO_SOURCES, "TWO_SOURCES"},
-                                                           {SafetyState::LOW_OBSTACLE, "LOW_OBSTACLE"}};
+                                                           {SafetyState::LOW_OBSTACLE, "LOW_OBSTACLE"},
+                                                           {SafetyState::TWO_COMMANDERS, "TWO_COMMANDERS"},
+                                                           {SafetyState::WRONG_VIEW, "WRONG_VIEW"},
+                                                           {SafetyState::NO_TIME, "NO_TIME"}};
   for (const auto& [number, name] : causes) EXPECT_STREQ(name_of(static_cast<Cause>(number)), name);
-  EXPECT_STREQ(name_of(static_cast<Cause>(causes.size())), "UNKNOWN") << "a cause is missing in this table";
+  EXPECT_STREQ(name_of(static_cast<Cause>(causes.back().first + 1)), "UNKNOWN") << "a cause is missing in this table";
 }
 
 TEST(Messages, NearestPointStandsInTheTargetFrameIfThereIsOne) {
@@ -85,7 +72,7 @@ TEST(Messages, NearestPointStandsInTheTargetFrameIfThereIsOne) {
   Decision decision;
   decision.cause = Cause::Seen;
   decision.nearest = Obstacle{Point(0.1f, -0.3f, 0.8f)};  // right, down, forward
-  const SafetyState state = to_state(decision, settings, message_of(1).header);
+  const SafetyState state = to_state(decision, settings, header());
   EXPECT_EQ(state.nearest_frame, "base_footprint");
   EXPECT_FLOAT_EQ(static_cast<float>(state.nearest_point.x), 0.8f) << "forward";
   EXPECT_FLOAT_EQ(static_cast<float>(state.nearest_point.y), -0.1f) << "left";
@@ -93,12 +80,11 @@ TEST(Messages, NearestPointStandsInTheTargetFrameIfThereIsOne) {
 }
 
 TEST(Messages, OutputKeepsTheStampToTheNanosecondAndTheFrame) {
-  const std_msgs::Header header = message_of(0).header;
   Cloud crop;
   crop.push_back(Point(0.1f, 0.2f, 0.3f));
-  const sensor_msgs::PointCloud2 output = to_output(crop, header);
-  EXPECT_EQ(output.header.stamp, header.stamp);
-  EXPECT_EQ(output.header.frame_id, header.frame_id);
+  const sensor_msgs::PointCloud2 output = to_output(crop, header());
+  EXPECT_EQ(output.header.stamp, header().stamp);
+  EXPECT_EQ(output.header.frame_id, header().frame_id);
   const sensor_msgs::PointCloud2ConstIterator<float> x(output, "x");
   EXPECT_EQ(x[0], 0.1f);
   EXPECT_EQ(x[1], 0.2f);

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How the pixels of a depth image become points in vectors; part of scan_simd.cpp, compiled once for every instruction
 // set. The same operations as DepthReader's, in the same order: the same float32.
-#if defined(SAFETY_CONTROL_CLOUD_SCAN_DEPTHS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef SAFETY_CONTROL_CLOUD_SCAN_DEPTHS_INL
-#undef SAFETY_CONTROL_CLOUD_SCAN_DEPTHS_INL
+#if defined(SAFETY_CONTROL_CLOUD_DEPTHS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef SAFETY_CONTROL_CLOUD_DEPTHS_INL
+#undef SAFETY_CONTROL_CLOUD_DEPTHS_INL
 #else
-#define SAFETY_CONTROL_CLOUD_SCAN_DEPTHS_INL
+#define SAFETY_CONTROL_CLOUD_DEPTHS_INL
 #endif
 
-#include "clouds-inl.hpp"
+#include "visits-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace safety_control_cloud {
 namespace HWY_NAMESPACE {
 namespace {
-
-using Signed = hn::RebindToSigned<Floats>;
 
 #if HWY_TARGET != HWY_SCALAR
 
@@ -32,6 +30,14 @@ struct InMetres {
     return hn::MulAdd(depth, hn::Zero(Floats()), depth);
   }
   static HWY_INLINE Float in_metres(Float depth, Float) { return depth; }
+};
+
+/// 32FC1 in which -Inf is too close: it stays what it is.
+struct InMetresOrTooClose : InMetres {
+  static HWY_INLINE Float at(const std::uint8_t* row, std::size_t column) {
+    const Float depth = pixels_at(Floats(), row + column * sizeof(float));
+    return hn::IfThenElse(hn::Eq(depth, all(-infinity)), depth, InMetres::at(row, column));
+  }
 };
 
 /// 16UC1. Zero is nothing measured.
@@ -81,18 +87,16 @@ void visit(const DepthView& row, bool, Visitor& visitor) {
 #if HWY_TARGET != HWY_SCALAR
   if (!row.swapped) {
     visited = row.width / Visitor::at_once * Visitor::at_once;
-    row.depth == Depth::Metres ? visit_points(Depths<InMetres>(row, Rays(row)), visited, 0, visitor)
-                               : visit_points(Depths<InMillimetres>(row, Rays(row)), visited, 0, visitor);
+    if (row.depth == Depth::Millimetres) {
+      visit_points(Depths<InMillimetres>(row, Rays(row)), visited, 0, visitor);
+    } else if (row.minus_inf == MinusInf::TooClose) {
+      visit_points(Depths<InMetresOrTooClose>(row, Rays(row)), visited, 0, visitor);
+    } else {
+      visit_points(Depths<InMetres>(row, Rays(row)), visited, 0, visitor);
+    }
   }
 #endif
   visit_copies(row, visited, visitor);
-}
-
-/// Lets the visitor take the points of a run in their order.
-template <class Visitor>
-void visit_run(const Run& run, Visitor& visitor) {
-  if (const auto* cloud = std::get_if<CloudView>(&run.points)) return visit(*cloud, run.followed, visitor);
-  visit(std::get<DepthView>(run.points), run.followed, visitor);
 }
 
 }  // namespace

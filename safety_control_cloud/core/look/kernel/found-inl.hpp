@@ -1,29 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which points are what, a vector at a time; part of scan_simd.cpp, compiled once for every instruction set.
-// The same tests as is_return(), is_inside(), is_too_close() and remembered() of corridor.hpp.
-#if defined(SAFETY_CONTROL_CLOUD_SCAN_FOUND_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef SAFETY_CONTROL_CLOUD_SCAN_FOUND_INL
-#undef SAFETY_CONTROL_CLOUD_SCAN_FOUND_INL
+// The same tests as in meaning.hpp.
+#if defined(SAFETY_CONTROL_CLOUD_FOUND_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef SAFETY_CONTROL_CLOUD_FOUND_INL
+#undef SAFETY_CONTROL_CLOUD_FOUND_INL
 #else
-#define SAFETY_CONTROL_CLOUD_SCAN_FOUND_INL
+#define SAFETY_CONTROL_CLOUD_FOUND_INL
 #endif
 
-#include "../corridor.hpp"
-#include "depths-inl.hpp"
+#include "../outlook.hpp"
+#include "vectors-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace safety_control_cloud {
 namespace HWY_NAMESPACE {
 namespace {
-
-using Integers = hn::RebindToUnsigned<Floats>;
-using Integer = hn::Vec<Integers>;
-using Mask = hn::Mask<Floats>;
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
-HWY_INLINE Float all(float value) { return hn::Set(Floats(), value); }
-HWY_INLINE Integer all_of(std::uint32_t value) { return hn::Set(Integers(), value); }
 
 /// A corridor in every lane.
 struct Walls {
@@ -49,17 +40,16 @@ HWY_INLINE Mask is_return(const Points& points, const Walls& walls) {
 
 /// The cloud's frame is the corridor's.
 struct Unplaced {
-  explicit HWY_INLINE Unplaced(const Gaze&) {}
+  explicit HWY_INLINE Unplaced(const Outlook&) {}
   HWY_INLINE Points operator()(const Points& points) const { return points; }
   HWY_INLINE Mask ahead(const Points& placed) const { return hn::Gt(placed.z, all(0.0f)); }
-  HWY_INLINE Float below_camera(const Points& placed) const { return placed.y; }
 };
 
 /// Takes points to the corridor's axes, by the very operations of Placement.
 struct Placed {
   Float xx, xy, xz, x0, yx, yy, yz, y0, zx, zy, zz, z0;
 
-  explicit HWY_INLINE Placed(const Gaze& gaze) : Placed(gaze.placement->rows) {}
+  explicit HWY_INLINE Placed(const Outlook& outlook) : Placed(outlook.placement->rows) {}
   HWY_INLINE Points operator()(const Points& points) const {
     const auto along = [&](Float a, Float b, Float c, Float d) HWY_ATTR {
       const Float across = hn::Add(hn::Mul(a, points.x), hn::Mul(b, points.y));
@@ -71,7 +61,6 @@ struct Placed {
   HWY_INLINE Mask ahead(const Points& placed) const {
     return hn::And(hn::Gt(placed.z, all(0.0f)), hn::Lt(placed.z, all(infinity)));
   }
-  HWY_INLINE Float below_camera(const Points& placed) const { return hn::Sub(placed.y, y0); }
 
  private:
   using Rows = std::array<std::array<float, 4>, 3>;
@@ -100,39 +89,19 @@ HWY_INLINE Mask is_too_close(const Points& points, const Walls& walls, bool anyw
   return hn::And(at_minus_infinity, hn::And(x_maybe, y_maybe));
 }
 
-/// Points, in the corridor's axes, and which of them are what. Those in sight are inside or below the corridor.
+/// Points, in the corridor's axes, and which of them are what.
 struct Found {
   Points placed;
-  Mask returning, in_sight, not_below, inside;
+  Mask returning, inside;
 
   template <class Placing>
   HWY_INLINE Found(const Points& points, const Walls& walls, const Placing& place) : placed(place(points)) {
     returning = is_return(points, walls);
     const Mask ahead = hn::And(returning, place.ahead(placed));
-    in_sight = hn::And(ahead, hn::And(walls.span(placed), hn::Ge(placed.y, walls.y_min)));
-    not_below = hn::Le(placed.y, walls.y_max);
-    inside = hn::And(in_sight, not_below);
+    const Mask between_heights = hn::And(hn::Ge(placed.y, walls.y_min), hn::Le(placed.y, walls.y_max));
+    inside = hn::And(ahead, hn::And(walls.span(placed), between_heights));
   }
 };
-
-/// What pixels remember of these points, with the flag `now`, as signed numbers of 16 bits; 0 of those that are no
-/// returns.
-template <class Placing>
-HWY_INLINE hn::Vec<Signed> remembered(const Found& found, const Placing& place, Float near_distance) {
-  // From 2^23 on the bits of a float count in ones: adding rounds, as std::nearbyint does, and needs no conversion.
-  constexpr float two_to_23 = 8388608.0f;
-  constexpr std::int32_t bits_of_it = 0x4B000000;
-  const Float z = found.placed.z, farthest = all(static_cast<float>(PixelMemory::farthest));
-  const Float below = hn::Min(hn::Max(place.below_camera(found.placed), all(0.0f)), farthest);
-  const Float ground =
-      hn::Add(hn::Mul(below, all(PixelMemory::ground_per_metre)), all(two_to_23 + PixelMemory::ground_zero));
-  const Float ahead = hn::Add(hn::Mul(z, all(PixelMemory::near_per_metre)), all(two_to_23));
-  const Float code = hn::IfThenElse(found.not_below, ahead, ground);
-  const Float elsewhere = all(two_to_23 + PixelMemory::elsewhere);
-  const Float seen = hn::IfThenElse(hn::And(found.in_sight, hn::Lt(z, near_distance)), code, elsewhere);
-  const auto flagged = hn::Sub(hn::BitCast(Signed(), seen), hn::Set(Signed(), bits_of_it + PixelMemory::now));
-  return hn::IfThenElseZero(hn::RebindMask(Signed(), found.returning), flagged);
-}
 
 }  // namespace
 }  // namespace HWY_NAMESPACE

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "../corridor.hpp"
 #include "../../input/runs.hpp"
+#include "../outlook.hpp"
 
 namespace safety_control_cloud {
 
@@ -28,10 +28,8 @@ struct Counts {
 
 /// Counts the points of the runs [begin, end) and writes the smallest z inside each of them [m], +inf where there is
 /// none, to nearest[begin] ... nearest[end - 1]. Which point that is, is left to inside_of(): to look for it in one run
-/// afterwards costs less than to carry it through the pass, and the same in every scene. Brings the gaze's memory up to
-/// date for these points; the runs' rows must be Apart then.
-Counts scan(const Runs& runs, std::size_t begin, std::size_t end, const Corridor& corridor, const Gaze& gaze,
-            float* nearest);
+/// afterwards costs less than to carry it through the pass, and the same in every scene.
+Counts scan(const Runs& runs, std::size_t begin, std::size_t end, const Outlook& outlook, float* nearest);
 
 /// The columns of the points inside, in their order.
 struct Inside {
@@ -41,7 +39,7 @@ struct Inside {
   std::size_t size;
 };
 
-Inside inside_of(const Run& run, const Corridor& corridor, const Gaze& gaze);
+Inside inside_of(const Run& run, const Outlook& outlook);
 
 /// The instruction sets that scan() can use on this machine, best first, as "AVX2" or "NEON"; "PORTABLE" is plain C++.
 std::vector<std::string> instruction_sets();

@@ -14,7 +14,9 @@
 // clang-format off
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-#include "pixels-inl.hpp"
+#include "found-inl.hpp"
+#include "runs-inl.hpp"
+#include "tally-inl.hpp"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
@@ -35,7 +37,7 @@ struct Counting {
   Float nearest;
   Float lowest;  ///< -inf if a point may be too close
 
-  HWY_INLINE Counting(const Corridor& corridor, const Gaze& gaze) : walls(corridor), place(gaze) { start_run(); }
+  explicit HWY_INLINE Counting(const Outlook& outlook) : walls(outlook.corridor), place(outlook) { start_run(); }
 
   HWY_INLINE void start_run() { nearest = lowest = all(infinity); }
 
@@ -44,36 +46,13 @@ struct Counting {
     note(points.at(column));
   }
 
-  HWY_INLINE Found note(const Points& points) {
+  /// A function, not the loop's own lines: named there, the points go to memory instead of registers.
+  HWY_INLINE void note(const Points& points) {
     const Found found(points, walls, place);
     returns.add(hn::RebindMask(Integers(), found.returning));
     inside.add(hn::RebindMask(Integers(), found.inside));
     nearest = hn::IfThenElse(found.inside, hn::Min(nearest, found.placed.z), nearest);
     lowest = hn::IfThenElse(hn::Lt(points.z, lowest), points.z, lowest);  // Min() drops a NaN on some machines only
-    return found;
-  }
-};
-
-/// Counts, and brings the pixels up to date.
-template <class Placing>
-struct Remembering : Counting<Placing> {
-  static constexpr std::size_t at_once = codes;
-
-  Float near_distance;
-  Pixels pixels;
-
-  HWY_INLINE Remembering(const Corridor& corridor, const Gaze& gaze)
-      : Counting<Placing>(corridor, gaze), near_distance(all(gaze.memory->distance)) {}
-
-  template <class Source>
-  HWY_INLINE void take(const Source& points, std::size_t column, std::size_t pixel) {
-    const auto first = of_points(points.at(column));
-    const auto second = lanes == codes ? first : of_points(points.at(column + lanes));
-    pixels.take(codes_of(first, second), pixel);
-  }
-
-  HWY_INLINE hn::Vec<Signed> of_points(const Points& points) {
-    return remembered(this->note(points), this->place, near_distance);
   }
 };
 
@@ -85,8 +64,8 @@ struct CountingTooClose {
   bool anywhere;
   Tally<Integers> too_close;
 
-  HWY_INLINE CountingTooClose(const Corridor& corridor, const Gaze& gaze)
-      : walls(corridor), anywhere(gaze.placement != nullptr) {}
+  explicit HWY_INLINE CountingTooClose(const Outlook& outlook)
+      : walls(outlook.corridor), anywhere(outlook.placement.has_value()) {}
 
   template <class Source>
   HWY_INLINE void take(const Source& points, std::size_t column, std::size_t) {
@@ -103,8 +82,8 @@ struct Listing {
   Placing place;
   Inside* found;
 
-  HWY_INLINE Listing(const Corridor& corridor, const Gaze& gaze, Inside& inside)
-      : walls(corridor), place(gaze), found(&inside) {}
+  HWY_INLINE Listing(const Outlook& outlook, Inside& inside)
+      : walls(outlook.corridor), place(outlook), found(&inside) {}
 
   template <class Source>
   HWY_INLINE void take(const Source& points, std::size_t from, std::size_t column) {
@@ -115,63 +94,42 @@ struct Listing {
   }
 };
 
-std::size_t too_close_in(const Run& run, const Corridor& corridor, const Gaze& gaze) {
-  CountingTooClose counting(corridor, gaze);
+std::size_t too_close_in(const Run& run, const Outlook& outlook) {
+  CountingTooClose counting(outlook);
   visit_run(run, counting);
   return counting.too_close.total();
 }
 
-/// Starts with the next run.
 template <class Placing>
-void scan_run(const Run& run, Counting<Placing>& counting, PixelMemory*) {
-  counting.start_run();
-  visit_run(run, counting);
-}
-
-template <class Placing>
-void scan_run(const Run& run, Remembering<Placing>& remembering, PixelMemory* memory) {
-  remembering.start_run();
-  visit_pixels(run, *memory, remembering);
-}
-
-template <class Visitor>
-Counts scan_with(const Runs& runs, std::size_t begin, std::size_t end, const Corridor& corridor, const Gaze& gaze,
-                 float* nearest) {
-  Visitor visitor(corridor, gaze);
+Counts scan_placing(const Runs& runs, std::size_t begin, std::size_t end, const Outlook& outlook, float* nearest) {
+  Counting<Placing> counting(outlook);
   std::size_t too_close = 0;
   for (std::size_t i = begin; i < end; ++i) {
     const Run run = runs[i];
-    scan_run(run, visitor, gaze.memory);
-    nearest[i] = hn::GetLane(hn::MinOfLanes(Floats(), visitor.nearest));
-    const bool any_too_close = hn::GetLane(hn::MinOfLanes(Floats(), visitor.lowest)) == -infinity;
-    if (any_too_close) too_close += too_close_in(run, corridor, gaze);
+    counting.start_run();
+    visit_run(run, counting);
+    nearest[i] = hn::GetLane(hn::MinOfLanes(Floats(), counting.nearest));
+    const bool any_too_close = hn::GetLane(hn::MinOfLanes(Floats(), counting.lowest)) == -infinity;
+    if (any_too_close) too_close += too_close_in(run, outlook);
   }
-  return {visitor.returns.total(), visitor.inside.total(), too_close};
+  return {counting.returns.total(), counting.inside.total(), too_close};
+}
+
+Counts scan(const Runs& runs, std::size_t begin, std::size_t end, const Outlook& outlook, float* nearest) {
+  return outlook.placement ? scan_placing<Placed>(runs, begin, end, outlook, nearest)
+                           : scan_placing<Unplaced>(runs, begin, end, outlook, nearest);
 }
 
 template <class Placing>
-Counts scan_placing(const Runs& runs, std::size_t begin, std::size_t end, const Corridor& corridor, const Gaze& gaze,
-                    float* nearest) {
-  return gaze.memory ? scan_with<Remembering<Placing>>(runs, begin, end, corridor, gaze, nearest)
-                     : scan_with<Counting<Placing>>(runs, begin, end, corridor, gaze, nearest);
-}
-
-Counts scan(const Runs& runs, std::size_t begin, std::size_t end, const Corridor& corridor, const Gaze& gaze,
-            float* nearest) {
-  return gaze.placement ? scan_placing<Placed>(runs, begin, end, corridor, gaze, nearest)
-                        : scan_placing<Unplaced>(runs, begin, end, corridor, gaze, nearest);
-}
-
-template <class Placing>
-void list(const Run& run, const Corridor& corridor, const Gaze& gaze, Inside& found) {
-  Listing<Placing> listing(corridor, gaze, found);
+void list(const Run& run, const Outlook& outlook, Inside& found) {
+  Listing<Placing> listing(outlook, found);
   visit_run(run, listing);
 }
 
-Inside inside_of(const Run& run, const Corridor& corridor, const Gaze& gaze) {
+Inside inside_of(const Run& run, const Outlook& outlook) {
   Inside found;
   found.size = 0;
-  gaze.placement ? list<Placed>(run, corridor, gaze, found) : list<Unplaced>(run, corridor, gaze, found);
+  outlook.placement ? list<Placed>(run, outlook, found) : list<Unplaced>(run, outlook, found);
   return found;
 }
 
@@ -187,14 +145,11 @@ namespace safety_control_cloud {
 HWY_EXPORT(scan);
 HWY_EXPORT(inside_of);
 
-Counts scan(const Runs& runs, std::size_t begin, std::size_t end, const Corridor& corridor, const Gaze& gaze,
-            float* nearest) {
-  return HWY_DYNAMIC_DISPATCH(scan)(runs, begin, end, corridor, gaze, nearest);
+Counts scan(const Runs& runs, std::size_t begin, std::size_t end, const Outlook& outlook, float* nearest) {
+  return HWY_DYNAMIC_DISPATCH(scan)(runs, begin, end, outlook, nearest);
 }
 
-Inside inside_of(const Run& run, const Corridor& corridor, const Gaze& gaze) {
-  return HWY_DYNAMIC_DISPATCH(inside_of)(run, corridor, gaze);
-}
+Inside inside_of(const Run& run, const Outlook& outlook) { return HWY_DYNAMIC_DISPATCH(inside_of)(run, outlook); }
 
 std::vector<std::string> instruction_sets() {
   std::vector<std::string> names;

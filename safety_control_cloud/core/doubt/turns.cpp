@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "turns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr std::size_t looked_at = 16;  ///< of the latest pictures
+constexpr std::size_t many = 7;        ///< changes among them; one camera may flicker a few times
+constexpr std::ptrdiff_t of_each =
+    5;  ///< pictures of either camera among them: a few false points may resemble each other
+
+constexpr double same_share = 0.02;      ///< of returns: no more than noise
+constexpr double same_nearest = 0.05;    ///< [m] no more than noise and what a robot drives in as many pictures
+constexpr double nothing_nearest = 1e9;  ///< [m]
+
+using Pictures = std::deque<Picture>;
+
+std::size_t changes_of_frame(const Pictures& pictures) {
+  std::size_t changes = 0;
+  for (std::size_t i = 1; i < pictures.size(); ++i) changes += pictures[i].frame != pictures[i - 1].frame;
+  return changes;
+}
+
+std::size_t steps_back(const Pictures& pictures) {
+  std::size_t steps = 0;
+  for (std::size_t i = 1; i < pictures.size(); ++i) steps += pictures[i].stamp < pictures[i - 1].stamp;
+  return steps;
+}
+
+/// How often a value goes from one to the other of the only two that it takes; 0 if it takes more, or only one. What is
+/// false in single pictures is false in another way each time.
+std::size_t changes_of(const std::function<double(const Picture&)>& value, double same, const Pictures& pictures) {
+  const double one = value(pictures.front());
+  const auto is_one = [&](const Picture& picture) { return std::abs(value(picture) - one) <= same; };
+  const auto first_other = std::find_if_not(pictures.begin(), pictures.end(), is_one);
+  if (first_other == pictures.end()) return 0;
+  const double other = value(*first_other);
+  if (std::abs(other - one) <= 2.0 * same) return 0;
+  const auto ones = std::count_if(pictures.begin(), pictures.end(), is_one);
+  if (std::min(ones, static_cast<std::ptrdiff_t>(pictures.size()) - ones) < of_each) return 0;
+  std::size_t changes = 0;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    if (!is_one(pictures[i]) && !(std::abs(value(pictures[i]) - other) <= same)) return 0;
+    changes += i > 0 && is_one(pictures[i]) != is_one(pictures[i - 1]);
+  }
+  return changes;
+}
+
+double returns_in(const Picture& picture) { return picture.returns; }
+double nearest_in(const Picture& picture) { return picture.nearest.value_or(nothing_nearest); }
+
+bool are_of_two(const Pictures& pictures) {
+  return changes_of_frame(pictures) >= many || steps_back(pictures) >= many ||
+         changes_of(returns_in, same_share, pictures) >= many || changes_of(nearest_in, same_nearest, pictures) >= many;
+}
+
+}  // namespace
+
+std::optional<Doubt> TurnsWatch::note(const Picture& picture, double now, double timeout) {
+  latest_.push_back(picture);
+  if (latest_.size() > looked_at) latest_.pop_front();
+  if (are_of_two(latest_)) in_turn_ = now;
+  if (!in_turn_ || now - *in_turn_ > timeout) return std::nullopt;
+  return Doubt{Cause::TwoSources, "pictures of two cameras arrive in turn over one connection"};
+}
+
+}  // namespace safety_control_cloud

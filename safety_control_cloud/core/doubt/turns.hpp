@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "doubt.hpp"
+
+namespace safety_control_cloud {
+
+/// What tells the pictures of two cameras apart that send over one connection.
+struct Picture {
+  double stamp = 0.0;               ///< [s]
+  std::string frame = {};           ///< of its header
+  double returns = 0.0;             ///< their share of all points
+  std::optional<double> nearest{};  ///< [m]
+};
+
+/// Knows when the pictures of two cameras come in turn, though one publisher sends them: two drivers in one process
+/// share its name and its connection. One camera's picture resembles the one before it; those of two go to and fro
+/// between two frames, two contents, or stamps that run backwards.
+class TurnsWatch {
+ public:
+  /// A picture has come at `now` [s, steady]: a doubt if the latest went to and fro, and for `timeout` [s]
+  /// after they last did.
+  std::optional<Doubt> note(const Picture& picture, double now, double timeout);
+
+ private:
+  std::deque<Picture> latest_;
+  std::optional<double> in_turn_;  ///< [s] steady: when they last came so
+};
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The vectors that all of the kernel speaks of; part of scan_simd.cpp, compiled once for every instruction set.
+#if defined(SAFETY_CONTROL_CLOUD_VECTORS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef SAFETY_CONTROL_CLOUD_VECTORS_INL
+#undef SAFETY_CONTROL_CLOUD_VECTORS_INL
+#else
+#define SAFETY_CONTROL_CLOUD_VECTORS_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace safety_control_cloud {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::ScalableTag<float>;
+using Bytes = hn::Repartition<std::uint8_t, Floats>;
+using Signed = hn::RebindToSigned<Floats>;
+using Integers = hn::RebindToUnsigned<Floats>;
+
+using Float = hn::Vec<Floats>;
+using Integer = hn::Vec<Integers>;
+using Mask = hn::Mask<Floats>;
+
+constexpr std::size_t lanes = hn::MaxLanes(Floats());
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+HWY_INLINE Float all(float value) { return hn::Set(Floats(), value); }
+HWY_INLINE Integer all_of(std::uint32_t value) { return hn::Set(Integers(), value); }
+
+/// As many successive points as a vector has lanes.
+struct Points {
+  Float x, y, z;
+};
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace safety_control_cloud
+HWY_AFTER_NAMESPACE();
+
+#endif

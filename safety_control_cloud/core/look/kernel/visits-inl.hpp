@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How points are handed to a visitor, and copies of those that cannot be loaded where they lie; part of scan_simd.cpp,
+// compiled once for every instruction set.
+#if defined(SAFETY_CONTROL_CLOUD_VISITS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef SAFETY_CONTROL_CLOUD_VISITS_INL
+#undef SAFETY_CONTROL_CLOUD_VISITS_INL
+#else
+#define SAFETY_CONTROL_CLOUD_VISITS_INL
+#endif
+
+#include <algorithm>
+#include <cstddef>
+
+#include "../../input/point_reader.hpp"
+#include "../../input/runs.hpp"
+#include "vectors-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace safety_control_cloud {
+namespace HWY_NAMESPACE {
+namespace {
+
+static_assert(Runs::longest % lanes == 0);
+
+/// Copies of points, for layouts without a faster way and for the end of a cloud.
+struct Copied {
+  static constexpr std::size_t longest = 64;
+  static_assert(longest % (2 * lanes) == 0);  // visitors take one or two vectors at once
+
+  HWY_ALIGN float x[longest], y[longest], z[longest];
+
+  /// Of at most `longest` points. The last vectors are filled up with NaN, which is nothing.
+  explicit Copied(const View& few) {
+    std::size_t at = 0;
+    for_each_point(few, [&](float px, float py, float pz) {
+      x[at] = px;
+      y[at] = py;
+      z[at++] = pz;
+    });
+    for (; at % (2 * lanes) != 0; ++at) x[at] = y[at] = z[at] = std::numeric_limits<float>::quiet_NaN();
+  }
+
+  HWY_INLINE void fetch(std::size_t, std::size_t) const {}
+  HWY_INLINE Points at(std::size_t column) const {
+    const Floats tag;
+    return {hn::Load(tag, x + column), hn::Load(tag, y + column), hn::Load(tag, z + column)};
+  }
+};
+
+/// Lets the visitor take `size` points, which stand `shift` columns into the run, and NaN to the end of a vector that
+/// they do not fill, as in Copied. A function of its own, so that the compiler keeps what the visitor counts in
+/// registers.
+template <class Source, class Visitor>
+HWY_NOINLINE void visit_points(const Source& points, std::size_t size, std::size_t shift, Visitor& visitor) {
+  Visitor local = visitor;
+  for (std::size_t column = 0; column < size; column += Visitor::at_once) {
+    points.fetch(column, Visitor::at_once);
+    local.take(points, column, shift + column);
+  }
+  visitor = local;
+}
+
+template <class Row, class Visitor>
+void visit_copies(const Row& row, std::size_t begin, Visitor& visitor) {
+  for (; begin < row.width; begin += Copied::longest) {
+    const std::size_t width = std::min(row.width - begin, Copied::longest);
+    visit_points(Copied(piece_of(row, 0, begin, width)), width, begin, visitor);
+  }
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace safety_control_cloud
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "outlook.hpp"
+
+#include "settings.hpp"
+
+namespace safety_control_cloud {
+
+std::variant<Outlook, NoTransform> outlook_of(const LookSettings& look, const Placing& placing) {
+  if (const auto* missing = std::get_if<NoTransform>(&placing)) return *missing;
+  const auto* placement = std::get_if<Placement>(&placing);
+  if (!placement && !look.target_frame.empty()) {
+    return NoTransform{"the corridor lies in " + look.target_frame + ", and nobody says where the camera is in it"};
+  }
+  if (placement && look.target_frame.empty()) {
+    return NoTransform{"the camera has a place in a frame, and the corridor lies in the camera's own: no target_frame"};
+  }
+  return placement ? Outlook(corridor_of(look), *placement) : Outlook(corridor_of(look));
+}
+
+Point Outlook::seen_from_camera(const Point& placed) const {
+  if (!placement) return placed;
+  const auto &x = placement->rows[0], &y = placement->rows[1], &z = placement->rows[2];  // clang captures no bindings
+  const float right = placed.x - x[3], down = placed.y - y[3], forward = placed.z - z[3];
+  const auto along = [&](std::size_t axis) { return x[axis] * right + y[axis] * down + z[axis] * forward; };
+  return Point(along(0), along(1), along(2));
+}
+
+View view_in(const Reading& reading, const LookSettings& look) {
+  View view = view_in(reading);
+  if (auto* image = std::get_if<DepthView>(&view)) image->minus_inf = look.depth_minus_inf;
+  return view;
+}
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "placement.hpp"
+
+namespace safety_control_cloud {
+
+Placing placing_of(const Eigen::Matrix<double, 3, 4>& cloud_in_target) {
+  if (!cloud_in_target.allFinite()) return NoTransform{"the transform is not finite"};
+  Eigen::Matrix3d to_corridor;  // right = -left, down = -up, forward = forward
+  to_corridor << 0, -1, 0, 0, 0, -1, 1, 0, 0;
+  const Eigen::Matrix<float, 3, 4> rows = (to_corridor * cloud_in_target).cast<float>();
+  Placement placement;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      placement.rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = rows(row, column);
+    }
+  }
+  return placement;
+}
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "pixels.hpp"
+#include "thing.hpp"
+
+namespace safety_control_cloud {
+
+/// What a picture says of a thing, in one of its spots.
+enum class Evidence : std::uint8_t {
+  Nothing,  ///< nothing returns, or too little to say that the thing has gone
+  There,    ///< something returns as far away as the thing was
+  Hidden,   ///< something returns before it
+  Past,     ///< what returns around the spot lies behind the thing
+};
+
+/// A return proves little alone: sensors return stray ranges where they see nothing. What is behind a thing returns in
+/// nearly all pixels around the spot that returned when the thing was seen, at ranges that agree. And a thing that has
+/// come too near to return lies farther from the middle of the picture than it did: no hole may be seen on that way.
+Evidence evidence_of(const Spot& spot, const Pixels& picture);
+
+/// Where a thing at this distance [m] may be seen, by the noise of the sensor and the step of a cloud.
+inline float noise_at(float distance) { return std::max(0.03f, 0.05f * distance); }
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "near_ground.hpp"
+#include "things_memory.hpp"
+
+namespace safety_control_cloud {
+
+/// What of the memory is written down, to outlive the process.
+struct Kept {
+  std::size_t width = 0, height = 0;  ///< of the picture in which the spots lie
+  float blind_range = 0.0f;           ///< [m] learned
+  std::vector<Remembered> things;
+  std::vector<NearGround::Code> low;  ///< LowObstacles::floor()
+};
+
+/// A line of text of at most a few kilobytes: of each thing only some spots. Empty if there is nothing to keep.
+std::string to_text(const Kept& kept);
+
+/// What was written down; none if the text is not whole, or of another version. Nothing of it is seen now.
+std::optional<Kept> kept_in(const std::string& text);
+
+}  // namespace safety_control_cloud

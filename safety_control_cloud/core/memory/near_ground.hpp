@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "../look/outlook.hpp"
+#include "pixels.hpp"
+#include "thing.hpp"
+
+namespace safety_control_cloud {
+
+/// The lower part of a picture, as far as it shows near ground: what lies below the corridor. Only every n-th row and
+/// column are read; they are counted here from the lowest row up, and from the left.
+class NearGround {
+ public:
+  using Code = std::int16_t;
+  static constexpr Code nothing = -3;    ///< returns
+  static constexpr Code elsewhere = -2;  ///< a return from farther away or from beside the corridor
+  static constexpr Code near = -1;       ///< something near, in the corridor
+  // From 0 on: near ground, as many [mm] below the camera.
+
+  /// So many rows, and columns, of a picture that has more.
+  static constexpr std::size_t most_rows = 240, most_columns = 160;
+
+  /// Nearer than `distance` [m] ahead of the camera is near.
+  void look_at(const Pixels& picture, const Outlook& outlook, float distance);
+
+  std::size_t rows() const { return rows_; }  ///< that were read
+  std::size_t columns() const { return columns_; }
+  Code* row(std::size_t i) { return codes_.data() + i * columns_; }
+  const Code* row(std::size_t i) const { return codes_.data() + i * columns_; }
+  std::size_t picture_row(std::size_t i) const { return height_ - 1 - i * row_step_; }
+  std::size_t picture_column(std::size_t i) const { return i * column_step_; }
+  std::size_t column_at(std::size_t picture_column) const {
+    return std::min(columns_ - 1, picture_column / column_step_);
+  }
+  /// Whether something near, in the corridor, is seen in a column, anywhere in the picture.
+  bool is_near(std::size_t column) const { return near_[column]; }
+  /// Tells it of the things that are seen, of which only those in the same `distance` count; of each spot of theirs,
+  /// whether what it shows stands on the near floor: the thing reaches down to it in this column without a gap.
+  void place(std::vector<Thing>& things);
+
+ private:
+  enum class Stand { Hangs, Stands, Unseen };  ///< on the near floor; unseen where nothing returns below it
+
+  Code code_of(const Point& point, const Outlook& outlook, const Point& camera, float distance) const;
+  bool read_row(const Pixels& picture, const Outlook& outlook, float distance, std::size_t number, std::size_t every);
+  Stand stand_of(const Foot& foot) const;
+
+  std::vector<Code> codes_;
+  std::vector<char> near_;
+  std::size_t rows_ = 0, columns_ = 0, height_ = 0, row_step_ = 1, column_step_ = 1;
+  float distance_ = 0.0f;
+};
+
+}  // namespace safety_control_cloud

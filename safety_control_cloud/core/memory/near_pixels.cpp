@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "near_pixels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace safety_control_cloud {
+namespace {
+
+/// So many columns, and of many near rows so many, show every thing that is not thin.
+constexpr std::size_t most_slots = 160;
+constexpr std::size_t enough_rows = 24;
+/// Where the nearest lies so much nearer than what was looked at, there is something else.
+constexpr float same = 0.93f;
+
+class Lines {
+ public:
+  explicit Lines(const NearSearch& search) : search_(search), camera_(search.outlook.camera()) {
+    found_.column_step = std::max<std::size_t>(1, search.picture.width() / most_slots);
+    found_.slots = (search.picture.width() + found_.column_step - 1) / found_.column_step;
+  }
+
+  NearPixels all() {
+    found_.pixels.reserve(enough_rows * most_slots);
+    const auto& nearest = search_.nearest_in_row;
+    const std::size_t near_rows = static_cast<std::size_t>(
+        std::count_if(nearest.begin(), nearest.end(), [this](float z) { return is_near(z - camera_.z); }));
+    found_.row_step = std::max<std::size_t>(1, near_rows / enough_rows);
+    std::size_t since = found_.row_step;
+    float last = 0.0f;
+    for (std::size_t row = 0; row < nearest.size(); ++row, ++since) {
+      if (!is_near(nearest[row] - camera_.z)) continue;
+      const bool same_as_before = nearest[row] > same * last && last > same * nearest[row];
+      if (since < found_.row_step && same_as_before) continue;
+      since = 0;
+      last = nearest[row];
+      take(row);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  bool is_near(float ahead) const { return ahead > 0.0f && ahead < search_.distance; }
+
+  void take(std::size_t row) {
+    const std::size_t begin = found_.pixels.size();
+    const float seen = look(row, found_.column_step);
+    if (seen * same > search_.nearest_in_row[row] - camera_.z) {
+      found_.pixels.resize(begin);
+      look(row, 1);
+    }
+    if (found_.pixels.size() > begin) found_.rows.push_back(row);
+  }
+
+  /// Of a slot's pixels the nearest; the nearest of all.
+  float look(std::size_t row, std::size_t step) {
+    const auto line = static_cast<std::uint16_t>(found_.rows.size());
+    float nearest = std::numeric_limits<float>::infinity();
+    const std::size_t begin = found_.pixels.size();
+    search_.picture.along(row, step, [&](std::size_t column, const Point& point) {
+      if (!returned(point)) return;
+      const Point place = placed(point, search_.outlook);
+      const float ahead = place.z - camera_.z;
+      if (!is_near(ahead) || !search_.outlook.corridor.holds(place) || !(place.z > 0.0f)) return;
+      nearest = std::min(nearest, ahead);
+      const auto slot = static_cast<std::uint16_t>(column / found_.column_step);
+      const NearPixel pixel{
+          static_cast<std::uint16_t>(row), static_cast<std::uint16_t>(column), line, slot, point, ahead};
+      if (found_.pixels.size() == begin || found_.pixels.back().slot != slot) {
+        found_.pixels.push_back(pixel);
+      } else if (ahead < found_.pixels.back().ahead) {
+        found_.pixels.back() = pixel;
+      }
+    });
+    return nearest;
+  }
+
+  const NearSearch& search_;
+  const Point camera_;
+  NearPixels found_;
+};
+
+}  // namespace
+
+NearPixels near_pixels(const NearSearch& search) { return Lines(search).all(); }
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pixels.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+const Point nothing = {0.0f, 0.0f, std::numeric_limits<float>::quiet_NaN()};
+
+}  // namespace
+
+template <class OneReader>
+Point Pixels::read(const Pixels& picture, std::size_t row, std::size_t column) {
+  Point point;
+  const auto take = [&](float x, float y, float z) { point = picture.point_of(x, y, z); };
+  (*std::get_if<OneReader>(&picture.reader_))(row, column, take);
+  return point;
+}
+
+Pixels::Pixels(const View& view, float range_min)
+    : width_(width_of(view)), height_(height_of(view)), range_min_(range_min) {
+  with_reader(view, [this](const auto& reader) {
+    using OneReader = std::decay_t<decltype(reader)>;
+    reader_.emplace<OneReader>(reader);
+    read_ = &read<OneReader>;
+  });
+}
+
+Point Pixels::near(std::ptrdiff_t row, std::ptrdiff_t column) const {
+  const auto beside = [](std::ptrdiff_t i, std::size_t size) {
+    return i < 0 || i >= static_cast<std::ptrdiff_t>(size);
+  };
+  if (beside(row, height_) || beside(column, width_)) return nothing;
+  return at(static_cast<std::size_t>(row), static_cast<std::size_t>(column));
+}
+
+}  // namespace safety_control_cloud

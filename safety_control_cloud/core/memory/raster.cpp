@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "raster.hpp"
+
+#include <algorithm>
+#include <bitset>
+#include <cmath>
+#include <limits>
+
+#include "../input/point_reader.hpp"
+#include "../look/meaning.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+/// What lies further aside is in no corridor that a robot drives down: a slope.
+constexpr float steepest = 3.0f;
+/// Cells across and down, at most.
+constexpr std::size_t most_cells = 640;
+/// A cell in spacings of the points: moire leaves no cell empty from about here on.
+constexpr float cell_in_spacings = 1.5f;
+/// The grid stays for as long as the spacing changes by less than this factor.
+constexpr float same_spacing = 1.5f;
+
+bool is_ahead(const Point& point) {
+  return std::abs(point.x) < steepest * point.z && std::abs(point.y) < steepest * point.z;
+}
+
+/// How far points lie apart [slope]: their number over the part of the view that they fill.
+float spacing_of(const std::vector<Point>& points, const Grid& grid) {
+  constexpr std::size_t across = 64;
+  std::bitset<across * across> filled;
+  const float wide = (grid.right - grid.left) / across, high = (grid.bottom - grid.top) / across;
+  const auto index = [](float slope, float least, float step) {
+    return std::min(across - 1, static_cast<std::size_t>(std::max(0.0f, (slope - least) / step)));
+  };
+  for (const Point& point : points) {
+    filled.set(index(point.y / point.z, grid.top, high) * across + index(point.x / point.z, grid.left, wide));
+  }
+  return std::sqrt(static_cast<float>(filled.count()) * wide * high / static_cast<float>(points.size()));
+}
+
+/// However far beside the grid.
+std::ptrdiff_t cell_at(float slope, float least, float cell) {
+  constexpr float most = 1e6f;
+  return static_cast<std::ptrdiff_t>(std::floor(std::clamp((slope - least) / cell, -most, most)));
+}
+
+}  // namespace
+
+std::ptrdiff_t Grid::column(const Point& point) const { return cell_at(point.x / point.z, left, cell); }
+std::ptrdiff_t Grid::row(const Point& point) const { return cell_at(point.y / point.z, top, cell); }
+
+void Raster::fit(const std::vector<Point>& returns) {
+  Grid grid = grid_;
+  constexpr float margin = 0.02f;
+  for (const Point& point : returns) {
+    const float x = point.x / point.z, y = point.y / point.z;
+    if (x < grid.left) grid.left = x - margin;
+    if (x > grid.right) grid.right = x + margin;
+    if (y < grid.top) grid.top = y - margin;
+    if (y > grid.bottom) grid.bottom = y + margin;
+  }
+  const float widest = std::max(grid.right - grid.left, grid.bottom - grid.top);
+  const float wanted = std::max(cell_in_spacings * spacing_of(returns, grid), widest / (most_cells - 1));
+  const bool grown =
+      grid.left != grid_.left || grid.top != grid_.top || grid.right != grid_.right || grid.bottom != grid_.bottom;
+  const float ratio = wanted / grid_.cell;
+  if (!grown && ratio < same_spacing && ratio > 1.0f / same_spacing) return;
+  grid.cell = wanted;
+  grid.width = 1 + static_cast<std::size_t>((grid.right - grid.left) / wanted);
+  grid.height = 1 + static_cast<std::size_t>((grid.bottom - grid.top) / wanted);
+  grid_ = grid;
+}
+
+View Raster::picture_of(const View& points, const Corridor& corridor) {
+  returns_.clear();
+  for_each_point(points, [&](float x, float y, float z) {
+    if (!is_return(x, y, z, corridor)) return;
+    const Point point(x, y, z);
+    if (is_ahead(point)) returns_.push_back(point);
+  });
+  if (!returns_.empty()) fit(returns_);
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  cells_.assign(grid_.width * grid_.height, {nan, nan, nan});
+  filled_ = 0;
+  for (const Point& point : returns_) {
+    const std::size_t row = std::min(grid_.height - 1, static_cast<std::size_t>(grid_.row(point)));
+    const std::size_t column = std::min(grid_.width - 1, static_cast<std::size_t>(grid_.column(point)));
+    auto& cell = cells_[row * grid_.width + column];
+    filled_ += std::isnan(cell[2]);
+    if (!(cell[2] <= point.z)) cell = {point.x, point.y, point.z};
+  }
+  CloudView view;
+  view.bytes = reinterpret_cast<const std::uint8_t*>(cells_.data());
+  view.width = grid_.width;
+  view.height = grid_.height;
+  view.point_step = sizeof(cells_[0]);
+  view.row_step = grid_.width * view.point_step;
+  view.offset = {0, sizeof(float), 2 * sizeof(float)};
+  return view;
+}
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "../input/cloud.hpp"
+
+namespace safety_control_cloud {
+
+/// A pixel in which a thing was seen, and what the picture is asked about there.
+struct Spot {
+  std::uint16_t row = 0, column = 0;
+  Point point;                 ///< in the cloud's frame [m]
+  float share = 0.0f;          ///< of the thing's size that it stands for [m2]
+  std::uint8_t company = 0;    ///< how many of the 3 x 3 pixels around it returned then
+  std::uint8_t seen_past = 0;  ///< so many successive clouds show something behind it
+  bool stands = false;         ///< what is seen in this column reached down to the near floor
+  bool foot_unseen = false;    ///< nothing returned in this column below what is seen
+};
+
+/// The lowest pixel of a thing in a column of the picture.
+struct Foot {
+  std::uint16_t row = 0, column = 0;
+  float ahead = 0.0f;  ///< [m] of the camera
+};
+
+/// Something connected that is seen in one cloud, in the corridor.
+struct Thing {
+  std::vector<Spot> spots;
+  std::vector<Foot> feet;  ///< from left to right
+  double size = 0.0;       ///< [m2] as it faces the camera
+  std::size_t pixels = 0;  ///< that it takes
+  float nearest = 0.0f;    ///< [m] ahead of the camera
+  bool stands = false;     ///< on the near floor, in most of its columns
+  bool at_border = false;  ///< of the picture or of the corridor: part of it may be out of sight
+};
+
+}  // namespace safety_control_cloud

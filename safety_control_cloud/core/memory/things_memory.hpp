@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "evidence.hpp"
+
+namespace safety_control_cloud {
+
+/// A thing that came near, over many clouds.
+struct Remembered {
+  Thing seen;              ///< as the latest cloud shows it; no spots if it does not
+  std::vector<Spot> lost;  ///< what was seen of it, and now is neither seen nor seen past
+  double size = 0.0;       ///< [m2] at most
+  double freed = 0.0;      ///< [m2] of the lost, since it was last seen, that is seen past by now
+  unsigned clouds = 0;     ///< that have shown it
+  bool stood = false;      ///< on the near floor, at some time
+  bool at_border = false;  ///< when it was seen last
+  bool vanished = false;   ///< in mid-air: see ThingsMemory
+
+  bool is_seen() const { return !seen.spots.empty(); }
+};
+
+double size_of(const std::vector<Spot>& spots);  ///< [m2]
+
+/// What came near, and what has become of it: each picture is asked about each thing.
+///
+/// - What is seen of a thing takes the place of what was seen of it. A thing of the same size has moved as a whole:
+///   where it was, nothing is left of it, whatever returns there. What has become smaller may have a part that is too
+///   near to return, which is lost.
+/// - What is lost of a thing stays lost until the picture shows what is behind it, in three successive clouds, or at
+///   once if it does so for nearly all of it. Then the rest goes too: beside things, cameras leave shadows.
+/// - What is near is kept. What is farther away is only watched: if a thing of fair extent, which nothing hides and
+///   which is not at the border, returns nothing any more from one cloud to the next, it was not seen to go away. The
+///   sensor is blind at the distance at which it was; it is kept, and that distance is near from then on, until a thing
+///   is seen nearer.
+/// - What stands on the floor, in a column of the picture, has gone when the near floor is seen again in that column.
+class ThingsMemory {
+ public:
+  /// Whether the near floor is seen again in a column of the picture and nothing is near in it.
+  using FloorAgain = std::function<bool(std::size_t column)>;
+
+  /// Nearer than `near` [m] ahead of the camera is near.
+  void update(std::vector<Thing> seen, const Pixels& picture, const FloorAgain& floor_again, float near);
+
+  const std::vector<Remembered>& things() const { return things_; }
+  template <class Visit>
+  void for_each_spot(Visit visit) {
+    for (Remembered& thing : things_) {
+      for (Spot& spot : thing.seen.spots) visit(spot);
+      for (Spot& spot : thing.lost) visit(spot);
+    }
+  }
+  bool empty() const { return things_.empty(); }
+  /// At which things vanished [m]; 0 if none did.
+  float blind_range() const { return blind_range_; }
+  /// As they were written down; nothing of them is seen.
+  void restore(std::vector<Remembered> things, float blind_range);
+
+ private:
+  void follow(std::vector<Thing> seen);
+  void ask(Remembered& thing, const Pixels& picture, const FloorAgain& floor_again);
+  void note_vanished(Remembered& thing, const Pixels& picture, float near);
+  void unlearn_blind_range();
+
+  std::vector<Remembered> things_;
+  float blind_range_ = 0.0f;
+};
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sensor.hpp"
+
+#include <utility>
+
+#include "aim.hpp"
+#include "look/look.hpp"
+#include "look/outlook.hpp"
+#include "look/passthrough.hpp"
+#include "text/words.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+bool same_corridor(const LookSettings& a, const LookSettings& b) {
+  const Corridor one = corridor_of(a), other = corridor_of(b);
+  return a.target_frame == b.target_frame && one.x_min == other.x_min && one.x_max == other.x_max &&
+         one.y_min == other.y_min && one.y_max == other.y_max && one.range_min == other.range_min;
+}
+
+Picture picture_of(const Sight& sight, const Origin& origin) {
+  const double share = sight.total == 0 ? 0.0 : static_cast<double>(sight.returns) / static_cast<double>(sight.total);
+  const auto nearest = sight.nearest ? std::optional<double>(sight.nearest->distance()) : std::nullopt;
+  return Picture{origin.stamp, origin.frame, share, nearest};
+}
+
+Returned returned_in(const View& view, const Sight& counted) {
+  return {counted.returns, counted.total, height_of(view) > 1};
+}
+
+}  // namespace
+
+Sensor::Sensor(const Settings& settings) : settings_(settings), near_loss_(settings.near_loss) {}
+
+void Sensor::adopt(const Settings& settings) {
+  if (!same_corridor(settings, settings_)) near_loss_.change_corridor();
+  near_loss_.limit(settings.near_loss);
+  settings_ = settings;
+}
+
+void Sensor::forget_losses() {
+  near_loss_.forget();
+  stamps_.forget();
+  blind_.forget();
+}
+
+void Sensor::see(const Reading& reading, const Origin& origin, const Instant& now, Crop crop) {
+  last_arrival_ = now.steady;
+  counted_ = Sight{};
+  answer_ = answer_to(reading, origin, now, crop);
+}
+
+void Sensor::wait(const Instant& now) {
+  std::optional<Doubt> doubt = clock_.note(now.ros);
+  if (doubt) stamps_.forget();
+  const double silence = last_arrival_ ? now.steady - *last_arrival_ : 0.0;
+  if (!doubt && silence > settings_.source_timeout) {
+    doubt = Doubt{Cause::Silent, "no cloud for " + measured(silence, "s")};
+  }
+  if (!doubt) return;
+  counted_ = Sight{};
+  answer_ = *std::move(doubt);
+}
+
+Answer Sensor::answer_to(const Reading& reading, const Origin& origin, const Instant& now, Crop crop) {
+  auto jump = clock_.note(now.ros);
+  if (jump) stamps_.forget();
+  if (auto doubt = sources_.note(origin.source, now.steady, settings_.source_timeout)) return *std::move(doubt);
+  if (jump) return *std::move(jump);
+  if (const auto* unreadable = std::get_if<Unreadable>(&reading)) return Doubt{Cause::Unreadable, unreadable->reason};
+  if (auto doubt = stamps_.note(now.ros - origin.stamp, now.steady, settings_)) return *std::move(doubt);
+  const auto outlook = outlook_of(settings_, origin.placing);
+  if (const auto* missing = std::get_if<NoTransform>(&outlook)) return Doubt{Cause::NoTransform, missing->reason};
+  return look_at(view_in(reading, settings_), std::get<Outlook>(outlook), origin, now.steady, crop);
+}
+
+Answer Sensor::look_at(const View& view, const Outlook& outlook, const Origin& origin, double now, Crop crop) {
+  const auto look_by = settings_.method == Method::Pcl ? passthrough : look;
+  counted_ = look_by(view, outlook, crop, near_loss_.rows_for(view));
+  if (auto doubt = turns_.note(picture_of(counted_, origin), now, settings_.source_timeout)) return *std::move(doubt);
+  if (auto doubt = blind_.note(returned_in(view, counted_), settings_, now)) return *std::move(doubt);
+  if (auto doubt = doubt_about_aim(view, outlook, settings_.limits)) return *std::move(doubt);
+  if (auto doubt = frozen_.note(view, origin.stamp, settings_.frozen_clouds)) return *std::move(doubt);
+  auto loss = near_loss_.judge(view, counted_, outlook, now);
+  recalled_ = recalled_ && loss;
+  if (recalled_) loss->reason += ", as before this start";
+  return Seen{counted_, std::move(loss)};
+}
+
+}  // namespace safety_control_cloud

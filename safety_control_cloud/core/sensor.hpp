@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "doubt/blind.hpp"
+#include "doubt/clock.hpp"
+#include "doubt/doubt.hpp"
+#include "doubt/frozen.hpp"
+#include "doubt/sources.hpp"
+#include "doubt/stamps.hpp"
+#include "doubt/turns.hpp"
+#include "input/reading.hpp"
+#include "look/placement.hpp"
+#include "look/sight.hpp"
+#include "memory/near_loss.hpp"
+#include "settings.hpp"
+
+namespace safety_control_cloud {
+
+/// One moment on two clocks [s].
+struct Instant {
+  double steady = 0.0;  ///< never goes back
+  double ros = 0.0;     ///< ROS time, the clock of the stamps
+};
+
+/// Where and when a reading was taken.
+struct Origin {
+  double stamp = 0.0;  ///< [s] ROS time
+  Placing placing = OpticalFrame{};
+  std::string source = {};  ///< who sent it, and over which connection
+  std::string frame = {};   ///< that it names as its own
+};
+
+/// What a sensor that is believed saw.
+struct Seen {
+  Sight sight;
+  std::optional<Loss> loss;  ///< what it saw before and cannot see any more
+};
+
+/// What a sensor says of the way ahead, or why it cannot. "Nothing there" is a Seen, "could not look" never is.
+using Answer = std::variant<Seen, Doubt>;
+
+/// One input: who sends, what came and when, what was near. It sees readings and answers; what the robot does about the
+/// answer is none of its business.
+class Sensor {
+ public:
+  /// The settings are fit: see problems_in().
+  explicit Sensor(const Settings& settings);
+
+  /// Goes on with other settings.
+  void adopt(const Settings& settings);
+
+  /// A reading has come, readable or not.
+  void see(const Reading& reading, const Origin& origin, const Instant& now, Crop crop = Crop::Skip);
+
+  /// None has come until `now`.
+  void wait(const Instant& now);
+
+  /// To the latest reading, or to its absence.
+  const Answer& answer() const { return answer_; }
+
+  /// What was counted in the latest reading, whether or not it is believed; all zero if it could not be looked at.
+  const Sight& counted() const { return counted_; }
+
+  /// Forgets the near obstacles that were lost from sight, and how much and how soon the camera used to show: somebody
+  /// has looked.
+  void forget_losses();
+
+  /// What is near or lost, to outlive the process; empty if nothing is.
+  std::string remembered() const { return near_loss_.serialised(); }
+
+  /// Goes on with what another process remembered. Text that makes no sense changes nothing.
+  void recall(const std::string& remembered) { recalled_ = near_loss_.restore(remembered); }
+
+ private:
+  Answer answer_to(const Reading& reading, const Origin& origin, const Instant& now, Crop crop);
+  Answer look_at(const View& view, const Outlook& outlook, const Origin& origin, double now, Crop crop);
+
+  Settings settings_;
+  SourceWatch sources_;
+  TurnsWatch turns_;
+  ClockWatch clock_;
+  StampWatch stamps_;
+  BlindWatch blind_;
+  FrozenWatch frozen_;
+  NearLoss near_loss_;
+  bool recalled_ = false;               ///< what is lost was lost by another process
+  std::optional<double> last_arrival_;  ///< [s] steady
+  Answer answer_ = Doubt{Cause::NoCloud, "no cloud has arrived yet"};
+  Sight counted_;
+};
+
+}  // namespace safety_control_cloud

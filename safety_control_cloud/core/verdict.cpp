@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verdict.hpp"
+
+#include "text/words.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+Zone zone_of(const Loss& loss, const ZoneLimits& limits) {
+  return loss.whole || !loss.obstacle ? Zone::Danger : zone_at(loss.obstacle->distance(), limits);
+}
+
+Decision by_obstacle(const Sight& sight, Zone zone) {
+  Decision decision;
+  decision.zone = zone;
+  decision.cause = Cause::Seen;
+  decision.reason =
+      sight.nearest ? "nearest obstacle at " + measured(sight.nearest->distance(), "m") : "corridor is free";
+  decision.nearest = sight.nearest;
+  decision.sight = sight;
+  return decision;
+}
+
+Decision by_loss(const Sight& sight, const Loss& loss, Zone zone) {
+  Decision decision;
+  decision.zone = zone;
+  decision.cause = loss.cause;
+  decision.reason = loss.reason;
+  decision.nearest = loss.obstacle;
+  decision.sight = sight;
+  return decision;
+}
+
+}  // namespace
+
+Decision standing_for(const Doubt& doubt, const Sight& counted) {
+  Decision decision;
+  decision.cause = doubt.cause;
+  decision.reason = doubt.reason;
+  decision.sight = counted;
+  return decision;
+}
+
+Decision verdict_on(const Sensor& sensor, const ZoneLimits& limits) {
+  if (const auto* doubt = std::get_if<Doubt>(&sensor.answer())) return standing_for(*doubt, sensor.counted());
+  const auto& [sight, loss] = std::get<Seen>(sensor.answer());
+  const Zone seen = sight.nearest ? zone_at(sight.nearest->distance(), limits) : Zone::Safe;
+  const Zone lost = loss ? zone_of(*loss, limits) : Zone::Safe;
+  return lost < seen ? by_loss(sight, *loss, lost) : by_obstacle(sight, seen);
+}
+
+}  // namespace safety_control_cloud

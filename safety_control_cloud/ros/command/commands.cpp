@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands.hpp"
+
+#include <ros/this_node.h>
+
+#include <boost/make_shared.hpp>
+#include <chrono>
+#include <utility>
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr std::chrono::milliseconds tick{20};
+constexpr double repetition = 0.1;  ///< [s] between two zeros where the node says nothing
+
+/// Whose message this thread is publishing now. In one process all that is published bears the same name; but a pointer
+/// is handed over before publish() returns.
+thread_local const Commands* speaker = nullptr;
+
+double now() { return ros::SteadyTime::now().toSec(); }
+
+/// NaN is no zero.
+bool is_zero(const geometry_msgs::Twist& twist) {
+  const auto &linear = twist.linear, &angular = twist.angular;
+  return linear.x == 0 && linear.y == 0 && linear.z == 0 && angular.x == 0 && angular.y == 0 && angular.z == 0;
+}
+
+class Later : public ros::CallbackInterface {
+ public:
+  explicit Later(std::function<void()> work) : work_(std::move(work)) {}
+
+  CallResult call() override {
+    work_();
+    return Success;
+  }
+
+ private:
+  std::function<void()> work_;
+};
+
+}  // namespace
+
+Commands::Commands(ros::NodeHandle& handle, const std::string& topic, std::function<void()> on_other)
+    : others_(handle.resolveName(topic)),
+      connected_(handle.resolveName(topic)),
+      queue_(*handle.getCallbackQueue()),
+      on_other_(std::move(on_other)),
+      publisher_(handle.advertise<Twist>(topic, 1)) {
+  ros::SubscribeOptions options;
+  options.initByFullCallbackType<const ros::MessageEvent<const Twist>&>(
+      topic, 10, [this](const ros::MessageEvent<const Twist>& event) { on_message(event); });
+  options.callback_queue = &at_once_;
+  options.transport_hints = ros::TransportHints().tcpNoDelay();
+  subscriber_ = handle.subscribe(options);
+  stand();
+  thread_ = std::thread([this] { watch(); });
+}
+
+Commands::~Commands() {
+  end();
+  {
+    const std::lock_guard<std::mutex> lock(waking_);
+    leave_ = true;
+  }
+  woken_.notify_all();
+  thread_.join();
+  subscriber_.shutdown();
+  queue_.removeByID(reinterpret_cast<std::uint64_t>(this));
+}
+
+void Commands::publish(const Twist& wanted, double due) {
+  const bool alone = !others_.doubt(now());
+  const std::lock_guard<std::mutex> lock(saying_);
+  due_ = due;
+  say(alone && !ended_ ? wanted : Twist());
+}
+
+std::optional<Doubt> Commands::doubt() { return others_.doubt(now()); }
+
+void Commands::end() {
+  const std::lock_guard<std::mutex> lock(saying_);
+  ended_ = true;
+  say(Twist());
+}
+
+/// In the thread that received it, or in the one that published it if that is of this process.
+void Commands::on_message(const ros::MessageEvent<const Twist>& event) {
+  if (speaker == this) return;
+  const bool own_process = event.getPublisherName() == ros::this_node::getName();
+  others_.heard(own_process ? "another part of " + event.getPublisherName() : event.getPublisherName(), now());
+  if (is_zero(*event.getConstMessage())) return;
+  {
+    const std::lock_guard<std::mutex> lock(waking_);
+    answer_ = true;
+  }
+  woken_.notify_all();
+}
+
+void Commands::watch() {
+  std::unique_lock<std::mutex> lock(waking_);
+  while (!leave_) {
+    if (!answer_) woken_.wait_for(lock, tick);
+    const bool answer = std::exchange(answer_, false);
+    lock.unlock();
+    answer ? stand() : stand_if_overdue();
+    look_who_is_connected();
+    lock.lock();
+  }
+}
+
+void Commands::look_who_is_connected() {
+  const std::size_t all = subscriber_.getNumPublishers();  // this process is one of them
+  others_.connected(connected_.names(all > 1 ? all - 1 : 0));
+  const bool known = std::exchange(other_known_, others_.doubt(now()).has_value());
+  if (other_known_ && !known) {
+    queue_.addCallback(boost::make_shared<Later>(on_other_), reinterpret_cast<std::uint64_t>(this));
+  }
+}
+
+void Commands::stand_if_overdue() {
+  const std::lock_guard<std::mutex> lock(saying_);
+  if (now() < due_ || ended_) return;
+  due_ = now() + repetition;
+  say(Twist());
+}
+
+void Commands::stand() {
+  const std::lock_guard<std::mutex> lock(saying_);
+  say(Twist());
+}
+
+void Commands::say(const Twist& twist) {
+  speaker = this;
+  publisher_.publish(boost::make_shared<Twist>(twist));
+  speaker = nullptr;
+}
+
+}  // namespace safety_control_cloud

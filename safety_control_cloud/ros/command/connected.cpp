@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "connected.hpp"
+
+#include <ros/master.h>
+#include <ros/this_node.h>
+
+#include <chrono>
+#include <utility>
+
+#include "living.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr std::chrono::seconds period{1};  ///< after which they are asked again
+
+/// The nodes that publish on a topic by the master's books, but for this one; none if it does not answer.
+std::optional<std::vector<std::string>> publishers_of(const std::string& topic) {
+  XmlRpc::XmlRpcValue request, response, state;
+  request[0] = ros::this_node::getName();
+  if (!ros::master::execute("getSystemState", request, response, state, false)) return std::nullopt;
+  std::vector<std::string> names;
+  XmlRpc::XmlRpcValue& published = state[0];
+  for (int i = 0; i < published.size(); ++i) {
+    if (static_cast<std::string>(published[i][0]) != topic) continue;
+    for (int j = 0; j < published[i][1].size(); ++j) names.push_back(published[i][1][j]);
+  }
+  return names;
+}
+
+std::optional<std::string> address_of(const std::string& node) {
+  XmlRpc::XmlRpcValue request, response, address;
+  request[0] = ros::this_node::getName();
+  request[1] = node;
+  if (!ros::master::execute("lookupNode", request, response, address, false)) return std::nullopt;
+  return static_cast<std::string>(address);
+}
+
+std::optional<std::vector<std::string>> living_publishers_of(const std::string& topic) {
+  const auto all = publishers_of(topic);
+  if (!all) return std::nullopt;
+  std::vector<std::string> living;
+  for (const auto& name : *all) {
+    if (name == ros::this_node::getName()) continue;
+    const auto address = address_of(name);
+    if (!address || may_live(*address)) living.push_back(name);
+  }
+  return living;
+}
+
+}  // namespace
+
+Connected::Connected(std::string topic) : topic_(std::move(topic)), thread_([this] { ask(); }) {}
+
+Connected::~Connected() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ending_ = true;
+  }
+  asked_.notify_all();
+  thread_.join();
+}
+
+std::vector<std::string> Connected::names(std::size_t others) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (others != others_) {
+    others_ = others;
+    answer_.reset();
+    asked_.notify_all();
+  }
+  if (others == 0) return {};
+  return answer_ ? *answer_ : std::vector<std::string>{"somebody whose name the ROS master has yet to tell"};
+}
+
+void Connected::ask() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!ending_) {
+    if (others_ == 0 || answer_) asked_.wait_for(lock, period);
+    if (ending_ || others_ == 0) continue;
+    const std::size_t others = others_;
+    lock.unlock();
+    auto names = living_publishers_of(topic_);
+    lock.lock();
+    if (names && others == others_) answer_ = std::move(names);
+    if (!names) asked_.wait_for(lock, period);
+  }
+}
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace safety_control_cloud {
+
+/// Gives those who are connected to a topic their names. roscpp knows at once how many there are, but not who they are,
+/// and goes on counting those that were killed: the master knows the names, and the one named knows whether it lives.
+/// Both may take any time to answer, so they are asked from a thread of its own.
+class Connected {
+ public:
+  explicit Connected(std::string topic);
+  ~Connected();
+
+  /// Who they are, as far as is known, if this many others are connected now. Returns at once.
+  std::vector<std::string> names(std::size_t others);
+
+ private:
+  void ask();
+
+  const std::string topic_;
+  std::mutex mutex_;
+  std::condition_variable asked_;
+  std::size_t others_ = 0;
+  std::optional<std::vector<std::string>> answer_;  ///< to the present number of others
+  bool ending_ = false;
+  std::thread thread_;
+};
+
+}  // namespace safety_control_cloud

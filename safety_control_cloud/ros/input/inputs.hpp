@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <memory>
+
+#include "../../core/settings.hpp"
+#include "arrival.hpp"
+#include "input.hpp"
+
+namespace safety_control_cloud {
+
+/// The input of this kind, on the tutorial's topic for it.
+std::unique_ptr<Input> input_of(InputKind kind, ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+                                Delivery delivery, const OnArrival& on_arrival, const Warn& warn);
+
+}  // namespace safety_control_cloud

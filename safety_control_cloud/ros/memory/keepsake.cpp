@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "keepsake.hpp"
+
+#include <ros/master.h>
+#include <ros/this_node.h>
+
+#include <chrono>
+#include <utility>
+
+namespace safety_control_cloud {
+namespace {
+
+using Texts = Keepsake::Texts;
+using XmlRpc::XmlRpcValue;
+
+constexpr std::chrono::seconds period{1};  ///< after which the master is asked whether it still knows
+
+/// Not ros::param's, which waits for the master for ever.
+bool ask_master(const char* what, const std::string& name, XmlRpcValue& answer, const XmlRpcValue* value = nullptr) {
+  XmlRpcValue request, response;
+  request[0] = ros::this_node::getName();
+  request[1] = name;
+  if (value) request[2] = *value;
+  return ros::master::execute(what, request, response, answer, false);
+}
+
+std::optional<Texts> texts_in(XmlRpcValue& value) {
+  if (value.getType() != XmlRpcValue::TypeArray) return std::nullopt;
+  Texts texts;
+  for (int i = 0; i < value.size(); ++i) {
+    if (value[i].getType() != XmlRpcValue::TypeString) return std::nullopt;
+    texts.push_back(value[i]);
+  }
+  return texts;
+}
+
+std::optional<Texts> texts_on_server(const std::string& name) {
+  XmlRpcValue value;
+  return ask_master("getParam", name, value) ? texts_in(value) : std::nullopt;
+}
+
+bool write_to_server(const std::string& name, const Texts& texts) {
+  XmlRpcValue value, answer;
+  value.setSize(static_cast<int>(texts.size()));
+  for (std::size_t i = 0; i < texts.size(); ++i) value[static_cast<int>(i)] = texts[i];
+  return ask_master("setParam", name, answer, &value);
+}
+
+}  // namespace
+
+Keepsake::Keepsake(const ros::NodeHandle& private_handle, Say say)
+    : name_(private_handle.resolveName("lost/things")),
+      say_(std::move(say)),
+      found_(texts_on_server(name_)),
+      wanted_(found_.value_or(Texts{})),
+      thread_([this] { write(); }) {}
+
+Keepsake::~Keepsake() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ending_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void Keepsake::keep(Texts texts) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (texts == wanted_) return;
+    wanted_ = std::move(texts);
+  }
+  changed_.notify_all();
+}
+
+void Keepsake::write() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  for (;;) {
+    const Texts wanted = wanted_;
+    const bool last = ending_;
+    lock.unlock();
+    if (written_ != wanted && write_to_server(name_, wanted)) written_ = wanted;
+    if (last) return;
+    look_whether_it_is_there();
+    lock.lock();
+    if (!ending_ && wanted_ == wanted) changed_.wait_for(lock, period);
+  }
+}
+
+void Keepsake::look_whether_it_is_there() {
+  XmlRpcValue is_there;
+  if (!written_ || !ask_master("hasParam", name_, is_there)) return;
+  if (is_there.getType() != XmlRpcValue::TypeBoolean || is_there) return;
+  say_("the ROS master has forgotten what was near, as one that was started anew does; it is told again");
+  written_.reset();
+}
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace safety_control_cloud {
+
+/// Keeps what is remembered of near things where the node's own end does not reach it: on the parameter server, as
+/// ~lost/things. A thread of its own speaks with the master, which may take any time to answer.
+class Keepsake {
+ public:
+  using Texts = std::vector<std::string>;
+  using Say = std::function<void(const std::string&)>;
+
+  /// `say` is told what somebody should know, from any thread.
+  Keepsake(const ros::NodeHandle& private_handle, Say say);
+  ~Keepsake();  ///< once the latest is written, if the master answers
+
+  /// What was kept when this was made; nothing if the master knows nothing of it, as after its own start.
+  const std::optional<Texts>& found() const { return found_; }
+
+  /// Returns at once.
+  void keep(Texts texts);
+
+ private:
+  void write();
+  void look_whether_it_is_there();
+
+  const std::string name_;
+  const Say say_;
+  const std::optional<Texts> found_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  Texts wanted_;
+  bool ending_ = false;
+  std::optional<Texts> written_;  ///< of the thread alone
+  std::thread thread_;
+};
+
+}  // namespace safety_control_cloud

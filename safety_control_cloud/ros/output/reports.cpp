@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reports.hpp"
+
+#include <boost/make_shared.hpp>
+#include <cmath>
+
+#include "../../core/text/words.hpp"
+#include "markers.hpp"
+#include "messages.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double log_period = 1.0;      ///< [s] between two lines that say the same
+constexpr double markers_period = 0.1;  ///< [s] rviz needs no more
+constexpr double recording_age = 60.0;  ///< [s] an older stamp is a recording's, not a slow camera's
+
+double seconds_since(const ros::SteadyTime& then) { return (ros::SteadyTime::now() - then).toSec(); }
+
+/// What to do about a stamp that is far from now, if that is plain.
+const char* advice_for(const Decision& decision, const std_msgs::Header& cloud) {
+  if (decision.cause != Cause::Stale && decision.cause != Cause::Future) return "";
+  const bool recording = std::abs(ros::Time::now().toSec() - cloud.stamp.toSec()) > recording_age;
+  return recording ? " (a recording needs: rosparam set use_sim_time true, rosbag play --clock)" : "";
+}
+
+}  // namespace
+
+Reports::Reports(ros::NodeHandle& private_handle, Log& log)
+    : log_(log),
+      state_(private_handle.advertise<SafetyState>("state", 1, true)),
+      markers_(private_handle.advertise<visualization_msgs::MarkerArray>("markers", 1, true)) {}
+
+void Reports::say(const Decision& decision, const Settings& settings, const std_msgs::Header& cloud) {
+  const auto state = boost::make_shared<SafetyState>(to_state(decision, settings, cloud));
+  state->resets = resets_;
+  state_.publish(state);  // as a pointer, it wakes roscpp's thread only if somebody listens
+  say_markers(decision, settings, cloud);
+  say_in_log(decision, cloud);
+}
+
+void Reports::say_markers(const Decision& decision, const Settings& settings, const std_msgs::Header& cloud) {
+  const bool has_frame =
+      !settings.target_frame.empty() || !cloud.frame_id.empty();  // before the first cloud maybe none
+  if (!has_frame || markers_.getNumSubscribers() == 0 || seconds_since(last_markers_) < markers_period) return;
+  markers_.publish(to_markers(decision, settings, cloud));
+  last_markers_ = ros::SteadyTime::now();
+}
+
+void Reports::say_in_log(const Decision& decision, const std_msgs::Header& cloud) {
+  const bool changed = decision.zone != logged_.zone || decision.cause != logged_.cause;
+  if (!changed && seconds_since(last_log_) < log_period) return;
+  const auto zone = words(name_of(decision.zone), " zone");
+  if (decision.cause == Cause::Seen) {
+    log_.info(zone);
+  } else {
+    log_.warn(words(zone, ": ", name_of(decision.cause), ", ", decision.reason, advice_for(decision, cloud)));
+  }
+  logged_ = decision;
+  last_log_ = ros::SteadyTime::now();
+}
+
+}  // namespace safety_control_cloud

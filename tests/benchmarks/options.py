@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What to measure, by the command line; needs Python alone."""
+import argparse
+from pathlib import Path
+
+PARTS = ("kernel", "nodes", "depth", "cameras", "judge")
+EPILOG = """\
+A fresh cloud has not been looked at before and lies in no cache: every look takes another one, of more than any cache
+holds together. A camera's cloud is such a one: the driver or the network has just written its megabytes from the first
+to the last, and a core's own cache keeps one of them or two. kernel_vs_read is of fresh clouds; kernel_vs_read_cached
+is of one cloud again and again, in the caches as far as it fits, which no camera sends.
+
+Every repetition runs every case once. A figure is the median of its repetitions, a spread is (slowest - fastest) /
+median. "worst" and "median" in the JSON are of all cases."""
+
+
+def arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="scripts/bench", description="Measures what a decision costs, and beside what.", epilog=EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--json", type=Path, metavar="FILE", help="write all figures there")
+    parser.add_argument("--plot", type=Path, metavar="FILE", help="draw time over points there")
+    parser.add_argument("--quick", action="store_true", help="VGA only, less often, no callgrind: < 2 minutes")
+    parser.add_argument("--only", choices=PARTS, action="append", help="this part; may be repeated")
+    parser.add_argument("--repetitions", type=int, metavar="N", help="of every case; medians are shown (3, quick: 2)")
+    parser.add_argument("--clouds", type=int, metavar="N", help="through processes, a repetition (50, quick: 20)")
+    parser.add_argument("--store-instructions", action="store_true", help="hold the kernel to today's from now on")
+    given = parser.parse_args()
+    if given.plot and (given.quick or given.only):
+        parser.error("--plot needs a full run")
+    return given

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../../safety_control_cloud/core/doubt/turns.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double timeout = 0.5;
+
+/// Sends pictures 20 ms apart; true if the last of them was doubted.
+class Camera {
+ public:
+  bool sends(Picture picture) {
+    now_ += 0.02;
+    picture.stamp += now_;
+    return watch_.note(picture, now_, timeout).has_value();
+  }
+
+ private:
+  TurnsWatch watch_;
+  double now_ = 10.0;
+};
+
+TEST(Turns, TwoCamerasThatShareAConnectionAreToldByTheirFrames) {
+  Camera camera;
+  bool doubted = false;
+  for (int i = 0; i < 16; ++i) doubted = camera.sends({0.0, i % 2 == 0 ? "left" : "right", 0.5, 2.0});
+  EXPECT_TRUE(doubted);
+}
+
+TEST(Turns, TwoCamerasThatShareAConnectionAreToldByStampsThatRunBackwards) {
+  Camera camera;
+  bool doubted = false;
+  for (int i = 0; i < 16; ++i) doubted = camera.sends({i % 2 == 0 ? 0.0 : -0.1, "camera", 0.5, 2.0});
+  EXPECT_TRUE(doubted);
+}
+
+TEST(Turns, TwoCamerasThatShareAConnectionAreToldByWhatTheySeeInWhateverOrderTheySend) {
+  for (const char* order : {"ABABABABABABABAB", "ABBAABBAABBAABBA", "AABAABAABAABAABA", "BBABABBAABABABBA"}) {
+    Camera by_nearest, by_returns;
+    bool nearest = false, returns = false;
+    for (const char* one = order; *one; ++one) {
+      nearest = by_nearest.sends({0.0, "camera", 0.5, *one == 'A' ? std::nullopt : std::optional(0.45)});
+      returns = by_returns.sends({0.0, "camera", *one == 'A' ? 0.5 : 0.7, 2.0});
+    }
+    EXPECT_TRUE(nearest) << order;
+    EXPECT_TRUE(returns) << order;
+  }
+}
+
+TEST(Turns, OneCameraIsBelievedAgainWhenTheOtherHasGone) {
+  Camera camera;
+  for (int i = 0; i < 16; ++i) camera.sends({0.0, i % 2 == 0 ? "left" : "right", 0.5, 2.0});
+  bool doubted = true;
+  for (int i = 0; i < 16 + 26; ++i) doubted = camera.sends({0.0, "left", 0.5, 2.0});
+  EXPECT_FALSE(doubted);
+}
+
+TEST(Turns, FalsePointsThatComeAndGoAreOneCameras) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> distance(0.5, 5.0), chance(0.0, 1.0), noise(-0.005, 0.005);
+  Camera camera;
+  for (int i = 0; i < 20000; ++i) {
+    const bool speckle = chance(random) < 0.5;
+    EXPECT_FALSE(
+        camera.sends({0.0, "camera", 0.5 + noise(random), speckle ? std::optional(distance(random)) : std::nullopt}))
+        << i;
+  }
+}
+
+TEST(Turns, WhatMovesBeforeOneCameraIsOneCameras) {
+  Camera camera;
+  for (int i = 0; i < 500; ++i) {
+    const bool person = (i / 15) % 2 == 0;
+    EXPECT_FALSE(camera.sends({0.0, "camera", person ? 0.8 : 0.5, person ? 0.6 : 2.0 - 0.004 * i})) << i;
+  }
+}
+
+}  // namespace
+}  // namespace safety_control_cloud

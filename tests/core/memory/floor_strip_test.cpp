@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../../safety_control_cloud/core/memory/floor_strip.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "looking_robot.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+TEST(FloorStrip, RobotStandsForAPostThatSlidesInFromTheSideTooNearToBeSeen) {
+  Robot robot;
+  robot.sees(Scene());
+  for (const float x : {0.15f, 0.1f, 0.0f, -0.05f}) {
+    const Decision decision = robot.sees({post(0.35f, x, 0.04f)});
+    EXPECT_EQ(decision.cause, Cause::NearLoss) << x;
+    EXPECT_EQ(decision.speed, 0.0) << x;
+  }
+  EXPECT_EQ(robot.sees(Scene()).speed, 0.2) << "it has gone: the floor is seen again";
+}
+
+TEST(FloorStrip, RobotStandsForAPostThatWasTooNearToBeSeenFromTheStart) {
+  for (const float z : {0.2f, 0.3f, 0.38f}) {
+    Robot robot;
+    const Decision decision = robot.sees({post(z, 0.0f, 0.03f)});
+    EXPECT_EQ(decision.cause, Cause::NearLoss) << z;
+    EXPECT_EQ(decision.speed, 0.0) << z;
+  }
+}
+
+Scene with_borders(std::size_t left, std::size_t right) {
+  Scene scene;
+  for (std::size_t row = 0; row < Scene::height; ++row) {
+    for (std::size_t i = 0; i < left; ++i) scene.set(row, i, NAN);
+    for (std::size_t i = 1; i <= right; ++i) scene.set(row, Scene::width - i, NAN);
+  }
+  return scene;
+}
+
+TEST(FloorStrip, ABorderOfThePictureThatNeverReturnsHidesNothing) {
+  Robot robot;
+  EXPECT_EQ(robot.sees(with_borders(20, 20)).speed, 0.2);
+}
+
+TEST(FloorStrip, RobotStandsForAPostAtTheBorderOfThePictureThatWasTooNearToBeSeenFromTheStart) {
+  EXPECT_EQ(Robot().sees(with_borders(21, 0)).speed, 0.0) << "no camera has a border as wide as this";
+  EXPECT_EQ(Robot().sees(with_borders(0, 21)).speed, 0.0);
+}
+
+TEST(FloorStrip, ABorderThatWidensAsDepthShrinksIsNoLossForEver) {
+  const Board wall = {0.9f, -2.0f, 2.0f, -2.0f, floor_y};
+  Robot robot;
+  robot.sees({wall});
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(robot.sees(with_borders(8, 0)).speed, 0.2) << "after " << i;
+}
+
+TEST(FloorStrip, StrayReturnsInTheBorderAreNoFloor) {
+  Robot robot;
+  Scene stray = with_borders(8, 0);
+  for (const std::size_t row : {112, 115}) {
+    for (std::size_t i = 0; i < 8; ++i) stray.set(row, i, 2.0f);
+  }
+  robot.sees(stray);
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(robot.sees(with_borders(8, 0)).speed, 0.2) << "after " << i;
+}
+
+TEST(FloorStrip, RobotStandsForAPostThatSlidIntoTheBorderTooNearToBeSeen) {
+  for (const float width : {0.03f, 0.05f}) {
+    Robot robot;
+    for (int i = 0; i < 5; ++i) robot.sees(Scene());
+    EXPECT_EQ(robot.sees({post(0.35f, -0.19f, width)}).speed, 0.0) << width;
+    EXPECT_EQ(robot.sees({post(0.35f, 0.19f, width)}).speed, 0.0) << width;
+  }
+}
+
+TEST(FloorStrip, RobotStandsForAPostThatHidesTheFloorAboveABorderOfRowsThatNeverReturn) {
+  for (const std::size_t rows : {1, 2, 3}) {
+    Robot robot;
+    Scene free, hidden({post(0.35f, 0.0f)});
+    free.blank_lowest_rows(rows);
+    hidden.blank_lowest_rows(rows);
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(robot.sees(free).speed, 0.2) << rows;
+    EXPECT_EQ(robot.sees(hidden).speed, 0.0) << rows;
+    EXPECT_EQ(robot.sees(free).speed, 0.2) << rows;
+  }
+}
+
+TEST(FloorStrip, StrayReturnsDoNotUncoverTheFloor) {
+  std::mt19937 random(7);
+  Robot robot;
+  for (int i = 0; i < 3; ++i) robot.sees(Scene());
+  for (int i = 0; i < 300; ++i) {
+    ASSERT_EQ(robot.sees(Scene({post(0.3f, 0.0f, 0.1f)}).stray(0.1, random)).speed, 0.0) << i;
+  }
+}
+
+}  // namespace
+}  // namespace safety_control_cloud

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Others that command the robot on the node's own topic: whoever obeys the latest command obeys them and us in turn."""
+import signal
+import sys
+import time
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+from diagnostic_msgs.msg import DiagnosticArray
+from robot import AGAIN, GRACE, NODE, START, Heard, after, eventually, node_under_test
+
+from safety_control_cloud.msg import SafetyState
+from safety_control_cloud.processes import process
+
+COMMANDER = Path(__file__).with_name("commander.py")
+NOTICED = 0.2 + GRACE  # [s]
+ITS_END = 1.0 + AGAIN + GRACE  # [s] of silence until it counts as gone, and until the robot drives
+
+
+@contextmanager
+def commander(speed, rate, *arguments, name="teleop"):
+    with process([sys.executable, str(COMMANDER), str(speed), str(rate), *arguments, f"__name:={name}"]) as running:
+        yield running
+
+
+def is_of(name):
+    return lambda command: command._connection_header["callerid"] == name
+
+
+def mean_speed(commands, since):
+    """Of a base that obeys the latest command [m/s]."""
+    heard = [(arrival, command.linear.x) for arrival, command in commands.timed() if arrival >= since]
+    driven = sum((later - arrival) * speed for (arrival, speed), (later, _) in zip(heard, heard[1:]))
+    return driven / (heard[-1][0] - heard[0][0])
+
+
+def first(heard, fits, since):
+    heard.until(lambda message: any(fits(later) for _, later in after(since, heard)))
+    return next(arrival for arrival, message in after(since, heard) if fits(message))
+
+
+def is_doubted(state):
+    return state.cause_text == "TWO_COMMANDERS" and state.speed == 0.0
+
+
+@pytest.mark.parametrize("rate", [1.0, 5.0])
+def test_each_command_of_somebody_else_is_answered_by_a_zero_and_its_sender_is_named(robot, rate):
+    diagnostics = Heard("/diagnostics", DiagnosticArray)
+    since = time.monotonic()
+    with commander(0.2, rate) as other:
+        began = first(robot.commands, is_of("/teleop"), since)
+        assert first(robot.states, is_doubted, since) - began < NOTICED
+        time.sleep(3.0)
+        assert mean_speed(robot.commands, began) < 0.02
+        assert "/teleop commands the robot on /cmd_vel_mux/input/teleop" in robot.states.all()[-1].reason
+        eventually(lambda: any("/teleop" in status.message for status in diagnostics.all()[-1].status))
+        other.send(signal.SIGKILL)
+        other.wait(5.0)
+    robot.camera.changes()
+    robot.drives(within=ITS_END + 2.0)
+    diagnostics.close()
+    eventually(lambda: "TWO_COMMANDERS, /teleop" in robot.process.output())
+
+
+def test_somebody_who_only_could_command_stops_the_robot_until_he_has_gone(robot):
+    since = time.monotonic()
+    with commander(0.0, 0.0) as other:
+        first(robot.states, is_doubted, since)
+        robot.states.until(lambda state: "/teleop is about to command" in state.reason)
+        robot.camera.changes()
+        robot.stops("TWO_COMMANDERS", within=AGAIN)
+        other.send(signal.SIGINT)
+        other.wait(5.0)
+    robot.camera.changes()
+    robot.drives(within=ITS_END)
+
+
+def test_two_instances_both_stand_and_do_not_answer_each_others_zeros(robot):
+    second = Heard("/second/state", SafetyState)
+    with node_under_test("__name:=second"):
+        first(robot.states, is_doubted, time.monotonic() - 1.0)
+        second.until(is_doubted)
+        since = time.monotonic()
+        time.sleep(2.0)
+        commands = [command.linear.x for _, command in after(since, robot.commands)]
+        assert set(commands) == {0.0}
+        assert len(commands) < 2.0 * 2 * (20 + 10 + 10), "clouds, periods and silences of two nodes"
+        assert is_doubted(second.all()[-1])
+    second.close()
+    robot.camera.changes()
+    robot.drives(within=ITS_END)
+
+
+def test_the_other_inputs_of_the_mux_are_no_doubt(robot):
+    navigation = Heard("/cmd_vel_mux/input/navi", type(robot.commands.all()[0]))
+    with commander(0.5, 10.0, "/cmd_vel_mux/input/navi"):
+        navigation.until(lambda command: True)
+        robot.keeps(0.2, seconds=1.0)
+    navigation.close()

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What was near before a node was killed is not forgotten by the one that follows it."""
+import os
+import signal
+import subprocess
+import sys
+import time
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+import rospy
+from robot import NODE, START, Heard, eventually, node_under_test, robot_with
+from scenes import hall, post, wall
+from std_srvs.srv import Trigger
+
+from safety_control_cloud.msg import SafetyState
+
+FREE = hall(wall(3.0))
+BOARD = (0.5, -0.25, 0.25, -0.25, 0.0)  # hangs: the floor before and behind it is seen
+PASSED = (0.39,) + BOARD[1:]  # nearer than the camera can see
+
+
+@contextmanager
+def robot_that_lost_a_board():
+    with node_under_test() as first, robot_with(first, FREE) as robot:
+        robot.drives(within=START)
+        robot.camera.show(hall(BOARD, wall(3.0)))
+        robot.stops("SEEN")
+        robot.camera.show(hall(PASSED))
+        assert robot.stops("NEAR_LOSS").speed == 0.0
+        eventually(lambda: any(rospy.get_param(NODE + "/lost/things")))
+        yield robot
+
+
+@contextmanager
+def killed_and_started_again(robot):
+    robot.process.send(signal.SIGKILL)
+    robot.process.wait(5.0)
+    robot.camera.changes()
+    with node_under_test() as robot.process:
+        yield
+
+
+def test_a_node_that_is_killed_while_something_is_lost_stands_until_it_is_seen_to_have_gone(master):
+    with robot_that_lost_a_board() as robot, killed_and_started_again(robot):
+        state = robot.states.until(lambda state: "as before this start" in state.reason)
+        assert (state.cause_text, state.speed) == ("NEAR_LOSS", 0.0)
+        robot.camera.changes()
+        robot.stops("NEAR_LOSS")
+        assert 0.2 not in {command.linear.x for command in robot.commands.all()[-20:]}
+        robot.camera.show(FREE)
+        robot.drives()
+        eventually(lambda: not any(rospy.get_param(NODE + "/lost/things")))
+        robot.camera.changes()
+
+
+def test_reset_frees_what_was_lost_before_the_start_and_is_logged_and_counted(master):
+    with robot_that_lost_a_board() as robot, killed_and_started_again(robot):
+        robot.states.until(lambda state: "as before this start" in state.reason)
+        assert robot.states.all()[-1].resets == 0
+        reset = rospy.ServiceProxy(NODE + "/reset", Trigger)
+        robot.camera.changes()
+        assert reset().success
+        again = reset()
+        assert (again.success, again.message) == (False, "refused: near obstacles are forgotten at most once a second")
+        robot.drives()
+        assert robot.states.all()[-1].resets == 1
+        eventually(lambda: "~reset: near obstacles lost from sight are forgotten" in robot.process.output())
+        time.sleep(1.0)
+        assert reset().success
+        robot.states.until(lambda state: state.resets == 2)
+
+
+def test_what_makes_no_sense_on_the_parameter_server_keeps_no_node_from_starting(master):
+    for nonsense in (["pixels 4294967295 4294967295 0 1 0 1 5"], ["pixels 2 2 0 9 0 9 5"], ["point nan 0 0"], [""], 7, ["x"] * 9):
+        rospy.set_param(NODE + "/lost/things", nonsense)
+        with node_under_test() as running, robot_with(running, FREE) as robot:
+            robot.drives(within=START)
+
+
+def test_a_first_start_says_that_nothing_is_known_of_before(master):
+    if rospy.has_param(NODE):
+        rospy.delete_param(NODE)  # what a node of another test wrote as it ended
+    states = Heard(NODE + "/state", SafetyState)
+    with node_under_test() as running:
+        state = states.until(lambda state: True)
+        assert (state.cause_text, state.speed) == ("NO_CLOUD", 0.0)
+        assert "the ROS master tells nothing of what was near before this start" in state.reason
+        with robot_with(running, FREE) as robot:
+            robot.drives(within=START)
+    states.close()
+
+
+@pytest.mark.skipif("SAFETY_CONTROL_NODE" in os.environ, reason="its time is the machine's")
+def test_a_node_whose_master_is_started_anew_tells_it_again():
+    result = subprocess.run(
+        [sys.executable, Path(__file__).with_name("forgetful_master.py")], stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT, text=True, timeout=120)
+    assert result.returncode == 0, result.stdout

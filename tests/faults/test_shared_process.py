@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The node in a process that it shares with others, as a nodelet does: they end it, block it, and command beside it."""
+import signal
+import subprocess
+import time
+from contextlib import contextmanager
+from pathlib import Path
+
+import dynamic_reconfigure.client
+import pytest
+import rospy
+from robot import AGAIN, GRACE, NODE, ONE_CLOUD, SOURCE_TIMEOUT, START, after, eventually, robot_with
+from scenes import always, cloud_of, hall, points_of, wall
+from std_msgs.msg import Float64
+from test_commanders import ITS_END, NOTICED, first, is_doubted, is_of, mean_speed
+
+from safety_control_cloud.processes import process
+
+SHARED = Path(__file__).resolve().parents[2] / "build/tests/ros/shared_process"
+NODELET = ["rosrun", "nodelet", "nodelet", "standalone", "safety_control_cloud/SafetyControlNodelet",
+           "__name:=safety_control_cloud"]
+LATE = 0.15  # [s] after source_timeout until a thread of its own commands zero
+ENDS = {"SIGINT": signal.SIGINT, "SIGTERM": signal.SIGTERM, "rosnode_kill": None}
+
+
+@contextmanager
+def robot_in(command):
+    with process(command) as running, robot_with(running, hall()) as robot:
+        robot.drives(within=START)
+        yield robot
+
+
+@pytest.fixture
+def nodelet(master):
+    with robot_in(NODELET) as robot:
+        yield robot
+
+
+@pytest.fixture
+def shared(master):
+    with robot_in([str(SHARED)]) as robot:
+        yield robot
+
+
+def says(topic, value):
+    publisher = rospy.Publisher(topic, Float64, queue_size=1)
+    eventually(lambda: publisher.get_num_connections() > 0)
+    publisher.publish(value)
+    return publisher
+
+
+@pytest.mark.parametrize("number", ENDS.values(), ids=ENDS)
+def test_the_last_command_of_a_manager_that_is_ended_is_zero(nodelet, number):
+    if number:
+        nodelet.process.send(number)
+    else:
+        subprocess.run(["rosnode", "kill", NODE], check=True, stdout=subprocess.DEVNULL)
+    assert nodelet.process.wait(10.0) in (0, -signal.SIGTERM), nodelet.process.output()
+    assert nodelet.commands.until_silence()[-1].linear.x == 0.0
+
+
+def test_others_that_keep_the_queue_busy_do_not_keep_the_robot_driving(shared):
+    shared.camera.changes()
+    says("/block", 3.0)
+    stopped = first(shared.commands, lambda command: command.linear.x == 0.0, shared.camera.changed_at)
+    assert stopped - shared.camera.changed_at < SOURCE_TIMEOUT + LATE
+    time.sleep(1.0)
+    assert {command.linear.x for _, command in after(stopped, shared.commands)} == {0.0}
+    shared.camera.changes()
+    shared.drives(within=4.0 + AGAIN)
+
+
+def test_what_commands_from_within_the_same_process_is_somebody_else(shared):
+    since = time.monotonic()
+    talk = says("/talk", 0.2)
+    began = first(shared.states, is_doubted, since)
+    for _ in range(20):
+        talk.publish(0.2)
+        time.sleep(0.1)
+    assert mean_speed(shared.commands, began) < 0.02
+    assert "another part of /safety_control_cloud commands" in shared.states.all()[-1].reason
+    shared.camera.changes()
+    shared.drives(within=ITS_END)
+
+
+def test_a_nodelet_stops_for_every_fault_and_drives_again(nodelet):
+    camera = nodelet.camera
+    faults = [(hall(wall(0.45)), "SEEN"), (always(cloud_of(points_of(), point_step=0)), "UNREADABLE"),
+              (always(cloud_of(points_of() * float("nan"))), "BLIND")]
+    for view, cause in faults:
+        camera.show(view)
+        state = nodelet.stops(cause)
+        assert abs((rospy.Time.now() - state.header.stamp).to_sec()) < 2.0, "the stamp of the cloud decided on"
+        camera.show(hall(wall(3.0)))
+        nodelet.drives()
+    camera.pause()
+    nodelet.stops("SILENT", within=SOURCE_TIMEOUT)
+    camera.show(hall(wall(3.0)))
+    nodelet.drives()
+
+
+def test_a_nodelet_is_reconfigured_and_goes_on(nodelet):
+    client = dynamic_reconfigure.client.Client(NODE, timeout=START)
+    answer = client.update_configuration({"safe_speed": 0.15})
+    assert (answer["safe_speed"], answer["refusal"]) == (0.15, "")
+    nodelet.camera.changes()
+    nodelet.drives(0.15)
+    assert client.update_configuration({"danger_distance": 9.0})["refusal"]
+    nodelet.keeps(0.15)
+    client.close()

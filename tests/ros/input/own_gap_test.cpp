@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../../safety_control_cloud/ros/input/own_gap.hpp"
+
+#include <gtest/gtest.h>
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double limit = 0.5;  ///< [s]
+
+TEST(OwnGap, WhoNeverStoodStillDoubtsNothing) {
+  OwnGap gap;
+  for (double now = 10.0; now < 20.0; now += 0.4) {
+    gap.beat(now, 1000.0 + now, limit);
+    EXPECT_FALSE(gap.doubt_about(0.0, now, limit));
+  }
+}
+
+TEST(OwnGap, ACloudFromBeforeTheNodeWentOnIsDoubtedForAShortTime) {
+  OwnGap gap;
+  gap.beat(10.0, 1010.0, limit);
+  gap.beat(12.0, 1012.0, limit);
+  EXPECT_EQ(gap.doubt_about(1011.9, 12.0, limit)->reason,
+            "the cloud is from before this node went on, which had stood still for 2.000 s");
+  EXPECT_TRUE(gap.doubt_about(1010.0, 12.4, limit));
+  EXPECT_FALSE(gap.doubt_about(1012.1, 12.1, limit)) << "taken since";
+  EXPECT_FALSE(gap.doubt_about(1012.3, 12.6, limit)) << "by a clock that runs late";
+}
+
+}  // namespace
+}  // namespace safety_control_cloud
