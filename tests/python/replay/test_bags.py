@@ -6,7 +6,8 @@ import pytest
 from recordings import TOPIC, wall_at, write_mcap, write_ros1, write_ros2, write_without_clouds
 from sensor_msgs.msg import PointCloud2
 
-from safety_control_cloud.replay.bags import BagError, recording
+from safety_control_cloud.replay.bags import BagError
+from safety_control_cloud.replay.recording import recording
 
 SECOND = 10**9
 

@@ -12,7 +12,7 @@ from safety_control_cloud.replay.lockstep import parameters_for_replay
 SLOW = """
 import sys, time
 from pathlib import Path
-from safety_control_cloud.replay.bags import recording
+from safety_control_cloud.replay.recording import recording
 from safety_control_cloud.replay.lockstep import safety_node
 with recording([Path(sys.argv[1])]) as recorded, safety_node({"source_timeout": "0.1"}) as node:
     for cloud in recorded.clouds:
@@ -33,7 +33,9 @@ def test_a_repeated_state_of_the_cloud_before_is_never_taken_for_the_answer(tmp_
 def test_neither_silence_nor_age_is_judged_in_a_recording():
     parameters = parameters_for_replay({})
 
-    assert float(parameters["source_timeout"]) > 1e5
+    patience = float(parameters["source_timeout"])
+    assert core.Settings(source_timeout=patience).problems() == []
+    assert core.Settings(source_timeout=patience + 0.1).problems() == ["source_timeout must be at most 10"]
     assert float(parameters.get("stamp_tolerance", 0.0)) == 0.0
 
 

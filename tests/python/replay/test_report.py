@@ -61,7 +61,8 @@ def test_json_says_null_where_there_is_no_distance_and_the_cause_says_why(tmp_pa
     seen, free, blind = json.loads((tmp_path / "answers.json").read_text())
     assert seen == {
         "stamp": 1_600_000_000.0, "zone": "Warning", "cause": "SEEN", "reason": "nearest obstacle at 0.754 m",
-        "nearest": 0.754, "nearest_point": [0.1, 0.2, 0.754], "inside": 7, "returns": 80, "total": 100, "speed": 0.1}
+        "nearest": 0.754, "nearest_point": [0.1, 0.2, 0.754], "inside": 7, "returns": 80, "total": 100, "speed": 0.1,
+        "time": 0.0}
     assert (free["nearest"], free["nearest_point"], free["cause"]) == (None, None, "SEEN")
     assert (blind["nearest"], blind["nearest_point"], blind["cause"]) == (None, None, "BLIND")
 

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clouds out of ROS 1 and ROS 2 bags, as the bytes that a ROS 1 publisher would send."""
+"""ROS 1 and ROS 2 bags, message by message in the order in which they were recorded."""
 from __future__ import annotations
 
-import struct
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Dict, Iterator, List, Optional, Sequence
+from typing import Any, Collection, Dict, Iterator, List, Optional, Sequence
 
 from rosbags.highlevel import AnyReader
 from rosbags.typesys import Stores, get_typestore
 
-CLOUD = "sensor_msgs/msg/PointCloud2"
+ENDINGS = (".bag", ".db3", ".mcap")
+METADATA = "metadata.yaml"  # what makes a folder a ROS 2 bag
 
 
 class BagError(ValueError):
@@ -19,52 +19,106 @@ class BagError(ValueError):
 
 
 @dataclass(frozen=True)
-class RecordedCloud:
-    """A sensor_msgs/PointCloud2 as it was recorded, however malformed its content."""
+class Recorded:
+    """A message as it was recorded, however malformed its content."""
 
-    message: bytes  # serialised for ROS 1
-
-    @property
-    def stamp(self) -> int:
-        """[ns] the header's."""
-        seconds, nanoseconds = struct.unpack_from("<II", self.message, 4)
-        return seconds * 1_000_000_000 + nanoseconds
+    topic: str
+    kind: str  # as sensor_msgs/msg/PointCloud2
+    time: int  # [ns] at which it was recorded
+    source: str  # the node that sent it; ROS 2 bags do not tell
+    raw: bytes
+    is_cdr: bool  # serialised by ROS 2
 
 
 @dataclass(frozen=True)
-class Recording:
-    """The clouds of one topic, in the order in which they were recorded."""
-
-    topic: str
+class Topic:
+    name: str
+    kind: str
     count: int
-    clouds: Iterator[RecordedCloud]  # raises BagError where the bag is damaged
+
+
+class Bags:
+    """Opened by `opened`."""
+
+    def __init__(self, reader: AnyReader, names: str) -> None:
+        self._reader = reader
+        self.names = names
+
+    @property
+    def end(self) -> int:
+        """[ns] the time of the last message."""
+        return int(self._reader.end_time) - 1
+
+    def topics(self) -> List[Topic]:
+        """Those with messages, by name."""
+        counts: Dict[Any, int] = {}
+        for connection in self._reader.connections:
+            key = (connection.topic, connection.msgtype)
+            counts[key] = counts.get(key, 0) + connection.msgcount
+        return [Topic(name, kind, count) for (name, kind), count in sorted(counts.items()) if count]
+
+    def contents(self) -> str:
+        kinds = {f"{one.topic} ({one.msgtype.replace('/msg/', '/')})" for one in self._reader.connections}
+        return ", ".join(sorted(kinds)) or "nothing"
+
+    def messages(self, topics: Collection[Topic], start: Optional[int] = None) -> Iterator[Recorded]:
+        """Those from a time on [ns]. Raises BagError where the bag is damaged."""
+        wanted = {(topic.name, topic.kind) for topic in topics}
+        chosen = [one for one in self._reader.connections if (one.topic, one.msgtype) in wanted]
+        messages = self._reader.messages(connections=chosen, start=start) if chosen else iter(())
+        number = 0
+        while True:
+            number += 1
+            with self._reading(f"message {number}"):
+                try:
+                    connection, time, raw = next(messages)
+                except StopIteration:
+                    return
+                source = getattr(connection.ext, "callerid", None) or ""
+            yield Recorded(connection.topic, connection.msgtype, time, source, raw, self._reader.is2)
+
+    def content_of(self, message: Recorded) -> Any:
+        """Its fields by their names. Raises BagError."""
+        with self._reading(f"a message of {message.topic}"):
+            return self._reader.deserialize(message.raw, message.kind)
+
+    def as_ros1(self, message: Recorded) -> bytes:
+        """The bytes that a ROS 1 publisher would send. Raises BagError if it is shorter or longer than its parts say."""
+        with self._reading(f"a message of {message.topic}"):
+            if message.is_cdr:
+                return bytes(self._reader.typestore.cdr_to_ros1(message.raw, message.kind))
+            self._reader.deserialize(message.raw, message.kind)
+            return message.raw
+
+    @contextmanager
+    def _reading(self, what: str) -> Iterator[None]:
+        try:
+            yield
+        except Exception as error:  # whatever the reader stumbles over in a damaged file
+            raise BagError(f"cannot read {what} of {self.names}: {_line(error)}") from error
 
 
 @contextmanager
-def recording(bags: Sequence[Path], topic: Optional[str] = None) -> Iterator[Recording]:
-    """Opens ROS 1 bags (files) or ROS 2 bags (folders); several are merged by time of recording.
+def opened(bags: Sequence[Path]) -> Iterator[Bags]:
+    """Opens ROS 1 bags (files) or ROS 2 bags (folders, .mcap, .db3); several are merged by time of recording.
 
-    Without a topic, the one that has clouds is taken. Raises BagError.
+    Raises BagError.
     """
-    reader = _opened(bags)
+    reader = _reader(bags)
     try:
-        connections = [connection for connection in reader.connections if connection.msgtype == CLOUD]
-        if not any(connection.msgcount for connection in connections):
-            raise BagError(f"no sensor_msgs/PointCloud2 in {_names(bags)}; there is: {_contents(reader)}")
-        chosen = _chosen(_counts(connections), topic, bags)
-        of_topic = [connection for connection in connections if connection.topic == chosen]
-        yield Recording(chosen, _counts(of_topic)[chosen], _clouds(reader, of_topic, bags))
+        yield Bags(reader, _names(bags))
     finally:
         reader.close()
 
 
-def _opened(bags: Sequence[Path]) -> AnyReader:
+def _reader(bags: Sequence[Path]) -> AnyReader:
     for bag in bags:
         if not bag.exists():
             raise BagError(f"{bag}: no such file")
-        if bag.is_file() and bag.suffix != ".bag":
-            raise BagError(f"{bag}: not a bag; ROS 1 bags are files named *.bag, ROS 2 bags folders with metadata.yaml")
-    if len({bag.is_dir() for bag in bags}) > 1:
+        if bag.is_file() and bag.suffix not in ENDINGS:
+            raise BagError(f"{bag}: not a bag; ROS 1 bags are files named *.bag, ROS 2 bags folders with {METADATA}, "
+                           "*.mcap or *.db3")
+    if len({bag.suffix == ".bag" for bag in bags}) > 1:
         raise BagError("ROS 1 and ROS 2 bags cannot be replayed together")
     try:
         # Bags from before 2023 name their ROS 2 types without defining them.
@@ -75,55 +129,9 @@ def _opened(bags: Sequence[Path]) -> AnyReader:
     return reader
 
 
-def _clouds(reader: AnyReader, connections: Sequence[Any], bags: Sequence[Path]) -> Iterator[RecordedCloud]:
-    messages = reader.messages(connections=connections)
-    number = 0
-    while True:
-        number += 1
-        try:
-            _, _, raw = next(messages)
-            cloud = RecordedCloud(_as_ros1(reader, raw))
-        except StopIteration:
-            return
-        except Exception as error:  # as above
-            raise BagError(f"cannot read cloud {number} of {_names(bags)}: {_line(error)}") from error
-        yield cloud
-
-
-def _as_ros1(reader: AnyReader, raw: bytes) -> bytes:
-    if reader.is2:
-        return bytes(reader.typestore.cdr_to_ros1(raw, CLOUD))
-    reader.deserialize(raw, CLOUD)  # raises if the message is shorter or longer than its parts say
-    return raw
-
-
-def _counts(connections: Sequence[Any]) -> Dict[str, int]:
-    counts: Dict[str, int] = {}
-    for connection in connections:
-        counts[connection.topic] = counts.get(connection.topic, 0) + connection.msgcount
-    return {topic: count for topic, count in counts.items() if count}
-
-
-def _contents(reader: AnyReader) -> str:
-    contents = {f"{connection.topic} ({connection.msgtype.replace('/msg/', '/')})" for connection in reader.connections}
-    return ", ".join(sorted(contents)) or "nothing"
-
-
-def _chosen(counts: Dict[str, int], topic: Optional[str], bags: Sequence[Path]) -> str:
-    there = ", ".join(f"{name} ({count})" for name, count in sorted(counts.items()))
-    if topic is None:
-        if len(counts) > 1:
-            raise BagError(f"several topics with clouds in {_names(bags)}, choose one with --topic: {there}")
-        return next(iter(counts))
-    matching: List[str] = [name for name in counts if name.strip("/") == topic.strip("/")]
-    if not matching:
-        raise BagError(f"no sensor_msgs/PointCloud2 on {topic} in {_names(bags)}; there is: {there}")
-    return matching[0]
-
-
 def _names(bags: Sequence[Path]) -> str:
     return ", ".join(map(str, bags))
 
 
-def _line(error: Exception) -> str:
+def _line(error: BaseException) -> str:
     return " ".join(str(error).split()) or type(error).__name__

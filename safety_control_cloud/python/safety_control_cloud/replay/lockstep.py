@@ -9,18 +9,22 @@ import struct
 import time
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Dict, Iterator, Mapping, Optional, Tuple
+from typing import Dict, Iterator, Mapping, Optional, Sequence, Tuple, Type
 
 import rospy
-from sensor_msgs.msg import PointCloud2
+from genpy import Message
+from sensor_msgs.msg import CameraInfo, Image, PointCloud2
+from tf2_msgs.msg import TFMessage
 
 from safety_control_cloud import core
 from safety_control_cloud.msg import SafetyState
 from safety_control_cloud.processes import Process
-from safety_control_cloud.replay.bags import RecordedCloud
+from safety_control_cloud.replay.recording import RecordedCloud
+from safety_control_cloud.replay.topics import OWN, Source, rooted
 from safety_control_cloud.ros_session import node, roscore
 
 ANSWER_TIMEOUT = 30.0  # [s]
+TRANSFORMS_TAKE = 0.05  # [s] to the node
 REFUSAL = "cannot start with these parameters"  # as the node says it
 
 
@@ -46,16 +50,20 @@ class Answer:
     returns: int
     total: int
     speed: float  # [m/s]
+    time: int = 0  # [ns] of the bag
 
 
-class RawCloud(rospy.AnyMsg):
-    """A PointCloud2 that is published as the bytes it was recorded in; rospy would write a new `seq` into it."""
+def raw(kind: Type[Message]) -> Type[rospy.AnyMsg]:
+    """A message that is published as the bytes it was recorded in; rospy would write a new `seq` into it."""
 
-    _md5sum, _type, _full_text = PointCloud2._md5sum, PointCloud2._type, PointCloud2._full_text
+    class Raw(rospy.AnyMsg):
+        _md5sum, _type, _full_text = kind._md5sum, kind._type, kind._full_text
 
-    def __init__(self, message: bytes) -> None:
-        super().__init__()
-        self._buff = message
+        def __init__(self, message: bytes) -> None:
+            super().__init__()
+            self._buff = message
+
+    return Raw
 
 
 def parameters_for_replay(chosen: Mapping[str, str]) -> Dict[str, str]:
@@ -63,22 +71,28 @@ def parameters_for_replay(chosen: Mapping[str, str]) -> Dict[str, str]:
 
     What the caller has chosen goes before.
     """
-    timeless = {"source_timeout": "1e6", "stamp_tolerance": "0.0"}
+    timeless = {"source_timeout": "10.0", "stamp_tolerance": "0.0"}  # the longest patience that the node takes
     known = core.Settings().as_dict()
     return {**{name: value for name, value in timeless.items() if name in known}, **chosen}
 
 
 @contextmanager
-def safety_node(parameters: Mapping[str, str]) -> Iterator["Lockstep"]:
-    """Starts a master and the node, and ends both. Once per process, as rospy.init_node().
+def safety_node(parameters: Mapping[str, str], source: Optional[Source] = None) -> Iterator["Lockstep"]:
+    """Starts a master and the node for such a source, and ends both. Once per process, as rospy.init_node().
 
     Raises BadParameters, or processes.ProcessError if either cannot be started.
     """
-    arguments = [f"_{name}:={value}" for name, value in parameters_for_replay(parameters).items()]
+    wanted = parameters_for_replay(parameters)
+    topics = [OWN[0]]
+    if source and source.camera:
+        wanted["input"] = source.input
+        topics = [rooted(source.name), rooted(source.camera.name)]  # the image's name tells whether it is rectified
+    arguments = [f"_{name}:={value}" for name, value in wanted.items()]
+    arguments += [f"{OWN[1]}:={topics[0]}"] if len(topics) > 1 else []
     with roscore(), node("safety_control_node", *arguments) as process:
         rospy.init_node("safety_control_replay", anonymous=True, disable_signals=True, disable_rosout=True)
         try:
-            yield Lockstep(process)
+            yield Lockstep(process, topics)
         finally:
             rospy.signal_shutdown("replayed")
 
@@ -86,23 +100,42 @@ def safety_node(parameters: Mapping[str, str]) -> Iterator["Lockstep"]:
 class Lockstep:
     """Hands clouds to the node, each after the answer to the one before."""
 
-    def __init__(self, process: Process) -> None:
+    def __init__(self, process: Process, topics: Sequence[str]) -> None:
+        """`topics`: of the clouds; or of the depth images, and of their cameras."""
         self._process = process
         self._states: "queue.Queue[SafetyState]" = queue.Queue()
         rospy.Subscriber("safety_control_cloud/state", SafetyState, self._states.put, tcp_nodelay=True)
-        self._clouds = rospy.Publisher("camera/depth/points", RawCloud, queue_size=1)
+        kinds = (PointCloud2,) if len(topics) == 1 else (Image, CameraInfo)
+        self._parts = [rospy.Publisher(topic, raw(kind), queue_size=1) for topic, kind in zip(topics, kinds)]
+        self._transforms: Dict[str, rospy.Publisher] = {}
         self._sent = 0  # [ns] stamp of the last cloud; before the first, the node's states have an empty header
         self._state_of(self._sent, "its start")
-        while self._clouds.get_num_connections() == 0:
+        while not all(part.get_num_connections() for part in self._parts):
             self._state_of(self._sent, "its start")  # it repeats its state, so this waits and watches over the node
 
     def answer_to(self, cloud: RecordedCloud) -> Answer:
         """Raises NoAnswer."""
+        self._move(cloud)
         # The node repeats its last state when it waits long for a cloud. So that a repetition is not taken for the
         # answer, two clouds in a row never have the same stamp: the second's last bit is turned (1 ns).
         self._sent = cloud.stamp ^ 1 if cloud.stamp == self._sent else cloud.stamp
-        self._clouds.publish(RawCloud(_stamped(cloud, self._sent)))
+        for publisher, part in zip(self._parts, cloud.parts):
+            publisher.publish(_stamped(part, cloud.stamp, self._sent))
         return _answer(cloud, self._state_of(self._sent, f"the cloud of {cloud.stamp / 1e9:.3f} s"))
+
+    def _move(self, cloud: RecordedCloud) -> None:
+        """Transforms have a way of their own to the node, and it does not tell when they are there."""
+        new = {topic for topic, _ in cloud.transforms} - set(self._transforms)
+        for topic in new:
+            self._transforms[topic] = rospy.Publisher(topic, raw(TFMessage), queue_size=1000)
+        for topic in new:
+            while not self._transforms[topic].get_num_connections():
+                self._check_alive("its transforms")
+                time.sleep(0.01)
+        for topic, message in cloud.transforms:
+            self._transforms[topic].publish(message)
+        if cloud.transforms:
+            time.sleep(TRANSFORMS_TAKE)
 
     def _state_of(self, stamp: int, asked: str) -> SafetyState:
         deadline = time.monotonic() + ANSWER_TIMEOUT
@@ -128,16 +161,17 @@ class Lockstep:
         return re.sub("\x1b\\[[0-9;]*m", "", self._process.output())
 
 
-def _stamped(cloud: RecordedCloud, stamp: int) -> bytes:
-    if stamp == cloud.stamp:
-        return cloud.message
-    message = bytearray(cloud.message)
-    struct.pack_into("<I", message, 8, struct.unpack_from("<I", message, 8)[0] ^ 1)
-    return bytes(message)
+def _stamped(message: bytes, own: int, stamp: int) -> bytes:
+    if stamp == own:
+        return message
+    changed = bytearray(message)
+    struct.pack_into("<I", changed, 8, struct.unpack_from("<I", changed, 8)[0] ^ 1)
+    return bytes(changed)
 
 
 def _answer(cloud: RecordedCloud, state: SafetyState) -> Answer:
     point = (state.nearest_point.x, state.nearest_point.y, state.nearest_point.z)
     return Answer(
         cloud.stamp, state.zone_text, state.cause_text, state.reason, state.nearest if math.isfinite(state.nearest) else None,
-        point if all(map(math.isfinite, point)) else None, state.inside, state.returns, state.total, state.speed)
+        point if all(map(math.isfinite, point)) else None, state.inside, state.returns, state.total, state.speed,
+        cloud.time)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import List, Sequence, Tuple
+from typing import Dict, List, Sequence, Tuple
 
 import matplotlib
 
@@ -14,8 +14,10 @@ from matplotlib.axes import Axes
 
 from safety_control_cloud import core
 from safety_control_cloud.replay.lockstep import Answer
+from safety_control_cloud.replay.silence import Silence
 
 COLOURS = {"Safe": "#2e9e5b", "Warning": "#e8a317", "Danger": "#d64545"}
+Silent = Dict[int, Tuple[float, float]]  # [s] from and to, by the number of the cloud before
 INK, QUIET = "#22303c", "#8795a1"
 STYLE = {
     "font.family": "DejaVu Sans", "font.size": 10, "text.color": INK, "axes.edgecolor": QUIET, "axes.labelcolor": INK,
@@ -24,14 +26,17 @@ STYLE = {
 }
 
 
-def write_plot(answers: Sequence[Answer], path: Path, title: str, limits: core.Settings) -> None:
+def write_plot(
+    answers: Sequence[Answer], path: Path, title: str, limits: core.Settings, silences: Sequence[Silence] = ()
+) -> None:
     """A picture in the format of the path's ending; limits are those the node decided by."""
     with plt.rc_context(STYLE):
         figure, (above, below) = plt.subplots(
             2, 1, sharex=True, figsize=(10, 5.6), gridspec_kw={"height_ratios": (3, 1)}, constrained_layout=True)
         times, label = _times(answers)
-        _draw_distance(above, times, answers, limits)
-        _draw_speed(below, times, answers, limits)
+        silent = _silent(answers, silences) if label.startswith("time") else {}
+        _draw_distance(above, times, answers, limits, silent)
+        _draw_speed(below, times, answers, limits, silent)
         above.set_title(title, loc="left", fontsize=12, fontweight="bold", pad=12)
         below.set_xlabel(label)
         below.set_xlim(*_padded(times))
@@ -39,7 +44,32 @@ def write_plot(answers: Sequence[Answer], path: Path, title: str, limits: core.S
         plt.close(figure)
 
 
-def _draw_distance(axes: Axes, times: List[float], answers: Sequence[Answer], limits: core.Settings) -> None:
+def _silent(answers: Sequence[Answer], silences: Sequence[Silence]) -> Dict[int, Tuple[float, float]]:
+    """Start and end on the axis of the stamps, by the cloud before."""
+    first = answers[0].stamp
+    spans = {}
+    for silence in silences:
+        before = answers[silence.after]
+        spans[silence.after] = tuple((before.stamp - first + time - before.time) / 1e9 for time in (silence.start, silence.end))
+    return spans
+
+
+def _broken(times: Sequence[float], values: Sequence[float], silent: Silent, within: float) -> Tuple[list, list]:
+    """The line, which falls to `within` where the robot hears of no cloud."""
+    xs: List[float] = []
+    ys: List[float] = []
+    for number, (time, value) in enumerate(zip(times, values)):
+        xs.append(time)
+        ys.append(value)
+        if number in silent:
+            xs.append(silent[number][0])
+            ys.append(within)
+    return xs, ys
+
+
+def _draw_distance(
+    axes: Axes, times: List[float], answers: Sequence[Answer], limits: core.Settings, silent: Silent
+) -> None:
     known = [answer.nearest for answer in answers if answer.nearest is not None]
     top = 1.08 * max([1.5 * limits.warning_distance, *known])
     bands = {"Danger": (0.0, limits.danger_distance), "Warning": (limits.danger_distance, limits.warning_distance),
@@ -49,7 +79,9 @@ def _draw_distance(axes: Axes, times: List[float], answers: Sequence[Answer], li
         axes.text(1.008, (low + high) / 2, zone, transform=axes.get_yaxis_transform(), va="center",
                   color=COLOURS[zone], fontweight="bold")
     distances = [math.nan if answer.nearest is None else answer.nearest for answer in answers]
-    axes.plot(times, distances, color=INK, lw=1.4, zorder=3)
+    axes.plot(*_broken(times, distances, silent, math.nan), color=INK, lw=1.4, zorder=3)
+    for number, (start, end) in enumerate(silent.values()):
+        axes.axvspan(start, end, color=COLOURS["Danger"], alpha=0.25, lw=0, label="" if number else "SILENT")
     axes.scatter(times, distances, s=_size(answers), c=[COLOURS.get(answer.zone, QUIET) for answer in answers],
                  edgecolors="white", linewidths=0.6, zorder=4)
     _mark(axes, times, answers, top)
@@ -68,13 +100,15 @@ def _mark(axes: Axes, times: List[float], answers: Sequence[Answer], top: float)
         causes = ", ".join(sorted({answer.cause for answer in answers if answer.cause != "SEEN"}))
         axes.scatter(lost, [0.03 * top] * len(lost), marker="X", s=36, color=COLOURS["Danger"], zorder=4,
                      label=f"cannot see: {causes}")
-    if free or lost:
+    if axes.get_legend_handles_labels()[0]:
         axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncol=2, frameon=False, borderaxespad=0.2)
 
 
-def _draw_speed(axes: Axes, times: List[float], answers: Sequence[Answer], limits: core.Settings) -> None:
-    speeds = [answer.speed for answer in answers]
+def _draw_speed(
+    axes: Axes, times: List[float], answers: Sequence[Answer], limits: core.Settings, silent: Silent
+) -> None:
     end = _padded(times)[1]  # the last speed holds on
+    times, speeds = _broken(times, [answer.speed for answer in answers], silent, 0.0)
     axes.step([*times, end], [*speeds, speeds[-1]], where="post", color=INK, lw=1.4)
     axes.fill_between([*times, end], [*speeds, speeds[-1]], step="post", color=INK, alpha=0.12, lw=0)
     top = max([limits.safe_speed, *speeds, 0.01])

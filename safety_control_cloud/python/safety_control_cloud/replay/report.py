@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any, Dict, Iterable, Iterator, Sequence, TypeVar
+from typing import Any, Dict, Iterable, Iterator, Optional, Sequence, TypeVar
 
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
@@ -14,8 +14,10 @@ from rich.table import Table
 from rich.text import Text
 
 from safety_control_cloud.replay.lockstep import Answer
+from safety_control_cloud.replay.silence import Silence
 
 COLOURS = {"Safe": "green", "Warning": "yellow", "Danger": "red"}
+NEXT_TO = 5  # clouds on either side of the one that is asked for
 LONGEST_CAUSE = len("UNREADABLE:")
 WIDE = 240  # columns, where there is no terminal whose width would limit the table
 
@@ -30,41 +32,59 @@ def with_progress(items: Iterable[Item], count: int) -> Iterator[Item]:
         yield from progress.track(items, total=count)
 
 
-def print_table(answers: Sequence[Answer], title: str) -> None:
+def print_table(
+    answers: Sequence[Answer], title: str, silences: Sequence[Silence] = (), around: Optional[int] = None
+) -> None:
+    """Of the clouds next to number `around`, if there is one."""
     console = Console()
     if not console.is_terminal:
         console = Console(width=WIDE)
-    console.print(table_of(answers, title))
+    console.print(table_of(answers, title, silences, around))
 
 
-def table_of(answers: Sequence[Answer], title: str) -> Table:
+def table_of(
+    answers: Sequence[Answer], title: str, silences: Sequence[Silence] = (), around: Optional[int] = None
+) -> Table:
     """Fits into 80 columns, where the words of a cause are folded."""
     table = Table(
         box=SIMPLE_HEAD, show_edge=False, pad_edge=False, padding=(0, 1, 0, 0), title=Text(title),
-        title_justify="left", caption=summary_of(answers), caption_justify="left")
+        title_justify="left", caption=summary_of(answers, silences), caption_justify="left")
     table.add_column(Text("stamp\n[s]"), justify="right", no_wrap=True)
     table.add_column("zone", no_wrap=True)
     table.add_column("cause", min_width=LONGEST_CAUSE)
     for figure in ("nearest\n[m]", "inside/returns/total\n[points]", "speed\n[m/s]"):
         table.add_column(Text(figure), justify="right", no_wrap=True)
-    for answer in answers:
-        table.add_row(*_cells(answer))
+    silent = {silence.after: silence for silence in silences}
+    for number, answer in enumerate(answers):
+        if around is not None and abs(number - around) > NEXT_TO:
+            continue
+        table.add_row(*_cells(answer), style="bold" if number == around else "")
+        if number in silent:
+            table.add_row(*_silent_cells(silent[number]))
     return table
 
 
-def summary_of(answers: Sequence[Answer]) -> str:
+def summary_of(answers: Sequence[Answer], silences: Sequence[Silence] = ()) -> str:
     zones = [answer.zone for answer in answers]
     counted = ", ".join(f"{zone} {zones.count(zone)}" for zone in COLOURS)
-    return f"{len(answers)} cloud{'' if len(answers) == 1 else 's'}: {counted}"
+    silent = sum(silence.end - silence.start for silence in silences) / 1e9
+    gaps = f"; SILENT {len(silences)} times, {silent:.1f} s in all" if silences else ""
+    return f"{len(answers)} cloud{'' if len(answers) == 1 else 's'}: {counted}{gaps}"
 
 
 def write_json(answers: Sequence[Answer], path: Path) -> None:
-    """A list of objects with the names of Answer; stamp in [s]."""
+    """A list of objects with the names of Answer; stamp and time in [s]."""
     path.write_text(json.dumps([_object(answer) for answer in answers], indent=1, allow_nan=False) + "\n")
 
 
 def _object(answer: Answer) -> Dict[str, Any]:
-    return {**asdict(answer), "stamp": answer.stamp / 1e9}
+    return {**asdict(answer), "stamp": answer.stamp / 1e9, "time": answer.time / 1e9}
+
+
+def _silent_cells(silence: Silence) -> Sequence[Text]:
+    lasts = (silence.end - silence.start) / 1e9
+    return (Text("-"), Text("Danger", style=COLOURS["Danger"]), Text(f"SILENT: {lasts:.3f} s more without a cloud"),
+            Text("-"), Text("-"), Text("0.0"))
 
 
 def _cells(answer: Answer) -> Sequence[Text]:

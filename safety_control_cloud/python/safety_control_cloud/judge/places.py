@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where the camera was, by the transforms that a bag has held so far; tf2 itself looks them up, as in the node."""
+from __future__ import annotations
+
+import math
+from typing import Union
+
+import numpy as np
+
+from safety_control_cloud.replay.bags import Bags, Recorded
+from safety_control_cloud.replay.topics import TRANSFORMS, rooted
+from safety_control_cloud.replay.wire import Header
+
+CACHE = 10  # [s] as tf2_ros keeps
+TOLERANCE = 0.1  # [s] by which the newest transform may be older than a cloud; as in ros/input/camera_place.cpp
+
+Place = Union[np.ndarray, str]  # as core.SafetyControl.decide() takes it
+
+
+class Places:
+    def __init__(self, bags: Bags) -> None:
+        import tf2_py  # part of ROS, and the only one; needed with a target_frame alone
+        from genpy import Duration
+
+        self._bags, self._tf2 = bags, tf2_py
+        self._buffer = tf2_py.BufferCore(Duration(CACHE))
+
+    def add(self, message: Recorded) -> None:
+        """Raises bags.BagError."""
+        add = self._buffer.set_transform_static if TRANSFORMS[rooted(message.topic)] else self._buffer.set_transform
+        for transform in self._bags.content_of(message).transforms:
+            add(_ros(transform), "bag")
+
+    def at(self, target_frame: str, cloud: Header) -> Place:
+        from genpy import Time
+
+        stamp = Time(*divmod(cloud.stamp, 10**9))
+        try:
+            try:
+                found = self._buffer.lookup_transform_core(target_frame, cloud.frame, stamp)
+            except self._tf2.ExtrapolationException:
+                found = self._buffer.lookup_transform_core(target_frame, cloud.frame, Time())
+                late = cloud.seconds - found.header.stamp.to_sec()
+                if not 0.0 <= late <= TOLERANCE:
+                    raise
+        except self._tf2.TransformException as problem:
+            return str(problem)
+        return matrix_of(found.transform)
+
+
+def matrix_of(transform) -> Place:
+    """(3, 4), [rotation | translation in m]; Eigen's formula, as in ros/input/camera_place.cpp."""
+    at, turn = transform.translation, transform.rotation
+    norm = math.sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z + turn.w * turn.w)
+    if not abs(norm - 1.0) < 1e-3:
+        return "the transform's rotation is not a unit quaternion"
+    x, y, z, w = turn.x / norm, turn.y / norm, turn.z / norm, turn.w / norm
+    return np.array([
+        [1.0 - (2 * y * y + 2 * z * z), 2 * y * x - 2 * z * w, 2 * z * x + 2 * y * w, at.x],
+        [2 * y * x + 2 * z * w, 1.0 - (2 * x * x + 2 * z * z), 2 * z * y - 2 * x * w, at.y],
+        [2 * z * x - 2 * y * w, 2 * z * y + 2 * x * w, 1.0 - (2 * x * x + 2 * y * y), at.z]])
+
+
+def _ros(recorded):
+    """The same as a message of ROS 1, which tf2 takes."""
+    from genpy import Time
+    from geometry_msgs.msg import TransformStamped
+
+    transform = TransformStamped()
+    transform.header.stamp = Time(recorded.header.stamp.sec, recorded.header.stamp.nanosec)
+    transform.header.frame_id, transform.child_frame_id = recorded.header.frame_id, recorded.child_frame_id
+    for part, names in (("translation", "xyz"), ("rotation", "xyzw")):
+        for name in names:
+            value = getattr(getattr(recorded.transform, part), name)
+            setattr(getattr(transform.transform, part), name, float(value))
+    return transform

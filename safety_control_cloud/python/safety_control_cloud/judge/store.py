@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The folder of what has been judged. Each bag is there, whole, as soon as its judge is done: what ends, goes on."""
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+from typing import Dict, List, Sequence, Tuple
+
+from safety_control_cloud.judge.bag import Judged
+from safety_control_cloud.judge.identity import Stat, version
+from safety_control_cloud.judge.rows import BagRow, Key, bag_row_in, write_bags
+
+CLOUDS, BAGS, HASHES, SETTINGS = "clouds", "bags.parquet", "hashes.jsonl", "settings"
+
+
+class Store:
+    def __init__(self, folder: Path, settings: Dict[str, dict]) -> None:
+        """`settings` by their hashes. Raises OSError if the folder cannot be written."""
+        self.clouds = folder / CLOUDS
+        self.bags = folder / BAGS
+        self._hashes = folder / HASHES
+        self._settings = tuple(settings)
+        self.clouds.mkdir(parents=True, exist_ok=True)
+        for name, content in settings.items():
+            (folder / SETTINGS).mkdir(exist_ok=True)
+            (folder / SETTINGS / f"{name}.json").write_text(json.dumps(content, indent=1, sort_keys=True) + "\n")
+        self._known = self._read_hashes()
+        self._hashes.touch()
+
+    def known(self, path: str) -> Tuple[Stat, str] | None:
+        return self._known.get(path)
+
+    def have(self, bag: str) -> Tuple[str, ...]:
+        """The settings' hashes by which this content has been judged."""
+        return tuple(name for name in self._settings if self.file_of(bag, name).exists())
+
+    def file_of(self, bag: str, settings: str) -> Path:
+        return self.clouds / f"{Key(bag, settings, version())}.parquet"
+
+    def keep(self, judged: Judged) -> None:
+        for row, content in zip(judged.rows, judged.files):
+            assert row.bag
+            whole = self.file_of(row.bag, row.settings)
+            part = whole.with_suffix(".part")
+            part.write_bytes(content)
+            part.replace(whole)
+        if judged.bag and judged.stat and self._known.get(judged.path) != (judged.stat, judged.bag):
+            self._known[judged.path] = (judged.stat, judged.bag)
+            with self._hashes.open("a") as stream:
+                stream.write(json.dumps([judged.path, judged.stat, judged.bag]) + "\n")
+
+    def rows_of(self, judged: Judged) -> List[BagRow]:
+        """One for each setting, judged now or before."""
+        if not judged.bag:
+            return [BagRow(judged.path, None, name, version(), "error", judged.error) for name in self._settings]
+        return [replace(bag_row_in(self.file_of(judged.bag, name)), path=judged.path) for name in self._settings]
+
+    def write_bags(self, rows: Sequence[BagRow]) -> None:
+        part = self.bags.with_suffix(".part")
+        write_bags(sorted(rows, key=lambda row: (row.path, row.settings)), part)
+        part.replace(self.bags)
+
+    def _read_hashes(self) -> Dict[str, Tuple[Stat, str]]:
+        known: Dict[str, Tuple[Stat, str]] = {}
+        if not self._hashes.exists():
+            return known
+        for line in self._hashes.read_text().splitlines():
+            try:
+                path, stat, bag = json.loads(line)
+            except ValueError:
+                continue  # the end of a line that was cut off: that bag is hashed again
+            known[path] = (tuple((name, size, changed) for name, size, changed in stat), bag)
+        return known

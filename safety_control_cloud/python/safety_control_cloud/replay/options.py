@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What to replay, by the command line; needs Python alone."""
+from __future__ import annotations
+
+import argparse
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Dict, Mapping, Optional, Sequence, Tuple
+
+PURPOSE = "Tells what the safety node would have said to every cloud of a bag."
+PICTURES = (".png", ".pdf", ".svg")
+
+
+@dataclass(frozen=True)
+class Request:
+    """What to replay, and where to write it besides the table on stdout."""
+
+    bags: Sequence[Path]
+    topic: Optional[str] = None  # None: the node's own, or the only one
+    parameters: Mapping[str, str] = field(default_factory=dict)  # private ones of the node
+    json: Optional[Path] = None
+    plot: Optional[Path] = None
+    around: Optional[int] = None  # only the clouds next to this one, from 0, stand in the table
+    settings: Optional[Path] = None  # a file of parameters; `parameters` go before
+
+
+def request_of(arguments: Optional[Sequence[str]] = None) -> Request:
+    parser = argparse.ArgumentParser(prog="replay", description=PURPOSE, epilog="Exit code 2: nothing to replay.")
+    parser.add_argument("bags", metavar="BAG", nargs="+", type=Path, help="a ROS 1 bag, or a ROS 2 bag (a folder, *.mcap, *.db3)")
+    parser.add_argument("--topic", metavar="T", help="of clouds, or of depth images that have a CameraInfo beside them; "
+                        "needed where there are several and none is the node's own")
+    parser.add_argument("--method", choices=("one_pass", "pcl"), help="how the node searches the corridor")
+    parser.add_argument("--param", metavar="NAME=VALUE", type=_parameter, action="append", default=[],
+                        help="a private parameter of the node, e.g. --param danger_distance=0.6; may be repeated")
+    parser.add_argument("--settings", metavar="F.yaml", type=Path, help="parameters, as in config/default.yaml")
+    parser.add_argument("--around", metavar="N", type=int, help="show only the clouds next to this one, from 0")
+    parser.add_argument("--json", metavar="F", type=_writable, help="write the table as a list of objects")
+    parser.add_argument("--plot", metavar="F.png", type=_picture, help="draw distance and speed over time")
+    given = parser.parse_args(arguments)
+    parameters: Dict[str, str] = dict(given.param)
+    if given.method:
+        parameters["method"] = given.method
+    return Request(tuple(given.bags), given.topic, parameters, given.json, given.plot, given.around,
+                   given.settings)
+
+
+def _parameter(text: str) -> Tuple[str, str]:
+    name, equals, value = text.partition("=")
+    if not (name and equals and value):
+        raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE")
+    return name.lstrip("~_"), value
+
+
+def _writable(text: str) -> Path:
+    path = Path(text)
+    if path.is_dir() or not path.absolute().parent.is_dir():
+        raise argparse.ArgumentTypeError(f"cannot write {text}")
+    return path
+
+
+def _picture(text: str) -> Path:
+    if Path(text).suffix not in PICTURES:
+        raise argparse.ArgumentTypeError(f"{text!r} does not end in {', '.join(PICTURES)}")
+    return _writable(text)

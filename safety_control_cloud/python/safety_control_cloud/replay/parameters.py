@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The node's private parameters, as a user writes them: in a YAML file or as NAME=VALUE."""
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Dict, Mapping
+
+from ruamel.yaml import YAML, YAMLError
+
+from safety_control_cloud import core
+
+
+class BadSettings(ValueError):
+    """str() is one line for each problem."""
+
+
+def parameters_in(file: Path) -> Dict[str, Any]:
+    """As config/default.yaml has them. Raises BadSettings."""
+    try:
+        content = YAML(typ="safe").load(file.read_text())
+    except (OSError, UnicodeDecodeError, YAMLError) as error:
+        raise BadSettings(f"cannot read {file}: {' '.join(str(error).split())}") from error
+    if content is None:
+        return {}
+    if not isinstance(content, dict):
+        raise BadSettings(f"{file}: not a list of parameters, NAME: VALUE")
+    return {str(name): value for name, value in content.items()}
+
+
+def settings_of(parameters: Mapping[str, Any]) -> core.Settings:
+    """Values may be texts. Raises BadSettings if they are unfit to drive with."""
+    defaults, problems, fit = core.Settings().as_dict(), [], {}
+    for name, value in parameters.items():
+        if name not in defaults:
+            problems.append(f"there is no parameter {name}")
+            continue
+        try:
+            core.Settings(**{name: _as(type(defaults[name]), value)})
+            fit[name] = _as(type(defaults[name]), value)
+        except (TypeError, ValueError, RuntimeError):
+            problems.append(f"{name} cannot be {value!r}")
+    settings = core.Settings(**fit)
+    problems += settings.problems()
+    if problems:
+        raise BadSettings("\n".join(problems))
+    return settings
+
+
+def _as(kind: type, value: Any) -> Any:
+    if isinstance(value, bool) or kind is int and isinstance(value, float) and value != int(value):
+        raise ValueError(value)
+    return kind(value)
