@@ -10,7 +10,8 @@ from safety_control_cloud.simulation.base import Pose, Velocity
 from safety_control_cloud.simulation.lockstep import Moment, drive, steered_by
 from safety_control_cloud.simulation.sensor import Xtion
 from safety_control_cloud.simulation.turtlebot import TurtleBot
-from safety_control_cloud.simulation.world import World, world_names
+from safety_control_cloud.simulation.world import World
+from safety_control_cloud.simulation.world_files import world_names
 
 core = pytest.importorskip("safety_control_cloud.core")
 

@@ -70,7 +70,8 @@ def test_equal_priority_does_not_take_over():
 def test_the_configuration_that_comes_with_the_package_is_the_turtlebots_table():
     table = table_from(yaml.safe_load(CONFIG.read_text()))
     assert table.publisher == "/mobile_base/commands/velocity"
-    for configured, expected in zip(table.inputs, TURTLEBOT_INPUTS, strict=True):
+    assert len(table.inputs) == len(TURTLEBOT_INPUTS)
+    for configured, expected in zip(table.inputs, TURTLEBOT_INPUTS):
         assert (configured.name, configured.priority, configured.timeout) == (
             expected.name, expected.priority, expected.timeout)
         assert "/cmd_vel_mux/" + configured.topic == expected.topic

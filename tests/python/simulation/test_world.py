@@ -6,7 +6,8 @@ import pytest
 from rooms import FLOOR, box, room, wall_at
 from safety_control_cloud.simulation.base import Pose
 from safety_control_cloud.simulation.robot import BODY_RADIUS
-from safety_control_cloud.simulation.world import BOX_SIDE, World, world_file, world_names
+from safety_control_cloud.simulation.world import BOX_SIDE, World
+from safety_control_cloud.simulation.world_files import world_file, world_names
 
 MOVABLE = '<body name="cart" mocap="true" pos="3 0 0.5"><geom name="cart" type="box" size="0.2 0.2 0.5"/></body>'
 

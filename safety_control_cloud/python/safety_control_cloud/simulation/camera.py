@@ -2,16 +2,19 @@
 """The Xtion's pictures of a World, rendered by MuJoCo."""
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
 import weakref
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .gl import mujoco
 from .robot import CAMERA, GROUP
 from .sensor import Xtion, noisy, returned
 from .world import World
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray  # not in the numpy of Ubuntu 20.04
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .base import Pose, Velocity
 from .mux import Mux
@@ -17,11 +16,13 @@ from .turtlebot import TICK, TurtleBot
 from .world import Contact
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray  # not in the numpy of Ubuntu 20.04
+
     from ..core import SafetyControl  # compiled; a drive may do without
 
 TELEOP = "Teleoperation"  # the mux's input that safety_control_cloud drives
 
-Steer = Callable[[NDArray[np.float32], float], "Velocity | None"]
+Steer = "Callable[[NDArray[np.float32], float], Velocity | None]"
 """From a depth image [m] and the time [s] to the velocity wanted; None says nothing at all, as a dead node does."""
 
 

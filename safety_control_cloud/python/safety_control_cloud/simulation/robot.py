@@ -2,10 +2,11 @@
 """The TurtleBot's body for MuJoCo. `config/turtlebot.urdf` shows the same robot to rviz; a test compares the two."""
 from __future__ import annotations
 
-from math import cos, degrees, pi, sin
+from math import cos, degrees, radians, sin, sqrt
 
 from .base import WHEEL_RADIUS, WHEEL_SEPARATION
 from .gl import mujoco
+from .hull import BODY_CENTRE, BODY_HEIGHT, BODY_RADIUS, PLATES, TOWER_RADIUS
 from .sensor import Xtion
 
 PREFIX = "turtlebot/"
@@ -14,15 +15,13 @@ CAMERA = PREFIX + "xtion"
 JOINTS = tuple(PREFIX + axis for axis in ("x", "y", "yaw", "pitch"))
 GROUP = 5  # MuJoCo does not draw it unless asked: the Xtion looks out between the plates and sees none of the robot
 
-BASE_LINK = 0.0102  # [m] above base_footprint
-BODY_RADIUS = 0.178  # [m] Kobuki
-BODY_HEIGHT = 0.109  # [m]
-BODY_CENTRE = BASE_LINK + 0.0595  # [m] above the floor: 15 mm of ground clearance
 BODY_MASS = 2.4  # [kg]
-PLATE_RADIUS = 0.16  # [m]
-PLATES = (0.142, 0.199, 0.402)  # [m] above the floor; the Xtion stands on the middle one, the top one lies above it
+PLATE_RADIUS = 0.14  # [m]
+PLATE_X = -0.02  # [m] of their centre; Gazebo draws the robot, and the Xtion is to look out between plates and poles
 POLE_RADIUS = 0.006  # [m]
+POLES = tuple(side * radians(angle) for angle in (75, 120, 165) for side in (1, -1))  # about the plates' centre
 OPTICAL_TO_GL = (0.5, 0.5, -0.5, -0.5)  # w, x, y, z: MuJoCo's cameras look along -z with y up, the robot's nose is x
+Z_TO_Y = (sqrt(0.5), -sqrt(0.5), 0, 0)  # w, x, y, z: MuJoCo's cylinders stand along z
 
 _BLACK = (0.09, 0.09, 0.10, 1)
 _WOOD = (0.24, 0.20, 0.17, 1)
@@ -50,7 +49,7 @@ def _add_hull(body: mujoco.MjsBody) -> None:
     )
     low, high = PLATES[0], PLATES[-1]
     body.add_geom(
-        name=PREFIX + "tower", type=cylinder, size=(PLATE_RADIUS, (high - low) / 2, 0), pos=(0, 0, (low + high) / 2),
+        name=PREFIX + "tower", type=cylinder, size=(TOWER_RADIUS, (high - low) / 2, 0), pos=(0, 0, (low + high) / 2),
         mass=1.0, rgba=(0, 0, 0, 0), group=GROUP, contype=1, conaffinity=1,
     )
 
@@ -62,13 +61,12 @@ def _add_looks(body: mujoco.MjsBody, xtion: Xtion) -> None:
 
     cylinder, box = mujoco.mjtGeom.mjGEOM_CYLINDER, mujoco.mjtGeom.mjGEOM_BOX
     for side in (-1, 1):
-        add(cylinder, (WHEEL_RADIUS, 0.01, 0), (0, side * WHEEL_SEPARATION / 2, WHEEL_RADIUS), _BLACK, zaxis=(0, 1, 0))
+        add(cylinder, (WHEEL_RADIUS, 0.01, 0), (0, side * WHEEL_SEPARATION / 2, WHEEL_RADIUS), _BLACK, quat=Z_TO_Y)
     for height in PLATES:
-        add(cylinder, (PLATE_RADIUS, 0.004, 0), (0, 0, height), _WOOD)
+        add(cylinder, (PLATE_RADIUS, 0.004, 0), (PLATE_X, 0, height), _WOOD)
     low, high = PLATES[0], PLATES[-1]
-    for place in range(6):
-        angle = (place + 0.5) * pi / 3
-        at = 0.9 * PLATE_RADIUS * cos(angle), 0.9 * PLATE_RADIUS * sin(angle), (low + high) / 2
+    for angle in POLES:
+        at = PLATE_X + 0.9 * PLATE_RADIUS * cos(angle), 0.9 * PLATE_RADIUS * sin(angle), (low + high) / 2
         add(cylinder, (POLE_RADIUS, (high - low) / 2, 0), at, _STEEL)
     x, _, z = xtion.mount
     add(box, (0.018, 0.09, 0.014), (x - 0.01, 0, z), _BLACK)

@@ -5,9 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 from math import atan, radians, tan
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray  # not in the numpy of Ubuntu 20.04
 
 DISPARITY_FOCAL = 575.8  # [px] of the sensor's own infrared camera
 DISPARITY_BASELINE = 0.075  # [m] projector to infrared camera

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from math import pi
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .base import DRIVER, Base, Limits, Pose, Velocity, pitch_at
 from .camera import Camera, Picture
 from .world import Contact, World
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray  # not in the numpy of Ubuntu 20.04
 
 TICK = 0.01  # [s]
 

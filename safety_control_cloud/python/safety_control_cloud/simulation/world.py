@@ -10,13 +10,12 @@ import numpy as np
 
 from . import robot
 from .base import Pose
+from .furniture import BOX_COLOUR, BOX_SIDE, BOXES
 from .gl import mujoco
+from .mjcf import NATIVE_CCD, spec_of_file, spec_of_text
 from .sensor import Xtion
+from .world_files import START, world_file
 
-WORLDS = Path(__file__).parent / "worlds"
-START = "start"  # the site at which a world wants the robot; the origin if there is none
-BOXES = 8  # how many dropped boxes can stand about; the next one takes the oldest's place
-BOX_SIDE = 0.3  # [m]
 _OUT_OF_SIGHT = -10.0  # [m] below the floor
 _CAN_COLLIDE = 1
 
@@ -28,29 +27,17 @@ class Contact:
     depth: float  # [m] how far the two overlap
 
 
-def world_names() -> tuple[str, ...]:
-    """The worlds that come with the package; a name that begins with _ is a part of others."""
-    return tuple(sorted(path.stem for path in WORLDS.glob("*.xml") if not path.stem.startswith("_")))
-
-
-def world_file(name: str | Path) -> Path:
-    """The MJCF file of one of `world_names()`, or the user's own. Raises FileNotFoundError with what there is."""
-    path = WORLDS / f"{name}.xml" if str(name) in world_names() else Path(name).expanduser()
-    if not path.is_file():
-        raise FileNotFoundError(f"no world {str(name)!r}: an MJCF file, or one of {', '.join(world_names())}")
-    return path
-
-
 class World:
     """Everything stands where it was last put: nothing falls or is pushed away. Takes the MjSpec over."""
 
     def __init__(self, spec: mujoco.MjSpec, xtion: Xtion = Xtion()) -> None:
         self.xtion = xtion
-        _prepare_for_sensor(spec, xtion)
         robot.add_turtlebot(spec, xtion)
         self._boxes = [_add_box(spec, place) for place in range(BOXES)]
         self._dropped = 0
         self.model = spec.compile()
+        self.model.opt.enableflags |= NATIVE_CCD
+        _prepare_for_sensor(self.model, xtion)
         self.data = mujoco.MjData(self.model)
         self._joints = [self.model.joint(name).qposadr[0] for name in robot.JOINTS]
         self._body = self.model.body(robot.BODY).id
@@ -65,13 +52,12 @@ class World:
     @classmethod
     def load(cls, name: str | Path = "cabinet", xtion: Xtion = Xtion()) -> World:
         """One of `world_names()`, or an MJCF file of the user's own."""
-        return cls(mujoco.MjSpec.from_file(str(world_file(name))), xtion)
+        return cls(spec_of_file(world_file(name)), xtion)
 
     @classmethod
     def from_xml(cls, text: str, xtion: Xtion = Xtion()) -> World:
         """From MJCF in a string; it may include the worlds' own files, such as `_scenery.xml`."""
-        parts = {path.name: path.read_bytes() for path in WORLDS.glob("*.xml")}
-        return cls(mujoco.MjSpec.from_string(text, include=parts), xtion)
+        return cls(spec_of_text(text), xtion)
 
     def place_robot(self, pose: Pose, pitch: float = 0.0) -> None:
         self.data.qpos[self._joints] = (pose.x, pose.y, pose.yaw, pitch)
@@ -150,19 +136,19 @@ class World:
         return self.model.geom(geom).name or self.model.body(self.model.geom_bodyid[geom]).name
 
 
-def _prepare_for_sensor(spec: mujoco.MjSpec, xtion: Xtion) -> None:
+def _prepare_for_sensor(model: mujoco.MjModel, xtion: Xtion) -> None:
     """What the file says of lengths and buffers gives way to what the sensor needs."""
-    spec.stat.extent = 1.0  # near and far are multiples of it
-    spec.visual.map.znear, spec.visual.map.zfar = xtion.clip
-    spec.visual.global_.offwidth = max(xtion.width, spec.visual.global_.offwidth)
-    spec.visual.global_.offheight = max(xtion.height, spec.visual.global_.offheight)
-    spec.visual.quality.offsamples = 0  # smoothed edges would be depths at which there is nothing
-    spec.visual.quality.numslices = 128  # else a cylinder's flats lie up to 11 mm inside it
+    model.stat.extent = 1.0  # near and far are multiples of it
+    model.vis.map.znear, model.vis.map.zfar = xtion.clip
+    model.vis.global_.offwidth = max(xtion.width, model.vis.global_.offwidth)
+    model.vis.global_.offheight = max(xtion.height, model.vis.global_.offheight)
+    model.vis.quality.offsamples = 0  # smoothed edges would be depths at which there is nothing
+    model.vis.quality.numslices = 128  # else a cylinder's flats lie up to 11 mm inside it
 
 
 def _add_box(spec: mujoco.MjSpec, place: int) -> str:
     name = f"dropped_box_{place}"
     body = spec.worldbody.add_body(name=name, mocap=True, pos=(0, 0, _OUT_OF_SIGHT))
     half = BOX_SIDE / 2
-    body.add_geom(name=name, type=mujoco.mjtGeom.mjGEOM_BOX, size=(half, half, half), rgba=(0.80, 0.55, 0.28, 1))
+    body.add_geom(name=name, type=mujoco.mjtGeom.mjGEOM_BOX, size=(half, half, half), rgba=BOX_COLOUR)
     return name
