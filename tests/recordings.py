@@ -48,7 +48,7 @@ def write_ros1(path: Path, clouds: Dict[str, Sequence[MadeCloud]]) -> Path:
         for topic, made in clouds.items():
             connection = writer.add_connection(topic, CLOUD, typestore=store)
             for number, cloud in enumerate(made):
-                message = _message(cloud, store, seq=number)
+                message = cloud_message(cloud, store, seq=number)
                 writer.write(connection, cloud.stamp, store.serialize_ros1(message, CLOUD))
     return path
 
@@ -69,7 +69,7 @@ def _write_ros2(opened: Ros2Writer, path: Path, clouds: Dict[str, Sequence[MadeC
         for topic, made in clouds.items():
             connection = writer.add_connection(topic, CLOUD, typestore=store)
             for cloud in made:
-                writer.write(connection, cloud.stamp, store.serialize_cdr(_message(cloud, store), CLOUD))
+                writer.write(connection, cloud.stamp, store.serialize_cdr(cloud_message(cloud, store), CLOUD))
     return path
 
 
@@ -83,13 +83,15 @@ def write_without_clouds(path: Path) -> Path:
     return path
 
 
-def _message(cloud: MadeCloud, store: Any, **seq: int) -> Any:
+def cloud_message(cloud: MadeCloud, store: Any, seq: int = 0) -> Any:
+    """As the typestore's ROS has it: ROS 1 numbers its messages."""
     types = store.types
+    numbered = {"seq": seq} if "seq" in {name for name, _ in store.fielddefs["std_msgs/msg/Header"][1]} else {}
     stamp = types["builtin_interfaces/msg/Time"](*divmod(cloud.stamp, 10**9))
     field = types["sensor_msgs/msg/PointField"]
     count = len(cloud.points)
     parts: Dict[str, Any] = dict(
-        header=types["std_msgs/msg/Header"](stamp=stamp, frame_id=FRAME, **seq), height=1, width=count,
+        header=types["std_msgs/msg/Header"](stamp=stamp, frame_id=FRAME, **numbered), height=1, width=count,
         fields=[field(name, 4 * i, FLOAT32, 1) for i, name in enumerate("xyz")], is_bigendian=False, point_step=12,
         row_step=12 * count, data=np.frombuffer(cloud.points.tobytes(), np.uint8), is_dense=False)
     return types[CLOUD](**{**parts, **dict(cloud.changes)})

@@ -29,7 +29,8 @@ def workspace(tmp_path_factory):
     folder = tmp_path_factory.mktemp("workspace")
     (folder / "src").mkdir()
     (folder / "src" / "safety_control_cloud").symlink_to(ROOT)
-    build = ["catkin_make", f"-DPython3_EXECUTABLE={PYTHON}", f"-DPYTHON_EXECUTABLE={PYTHON}", "-DCATKIN_ENABLE_TESTING=OFF", "-j2"]
+    python = [f"-D{name}_EXECUTABLE={PYTHON}" for name in ("Python", "Python3", "PYTHON")]
+    build = ["catkin_make", *python, "-DCATKIN_ENABLE_TESTING=OFF", "-j2"]
     for command in (build, [*build, "install"]):
         result = run(command, cwd=folder, env=environment(), timeout=BUILD_SECONDS)
         if result.returncode != 0:
@@ -99,8 +100,8 @@ def test_rosmsg_shows_the_state_message(installed):
 
 def environment(setup=None):
     """What a new terminal has, after sourcing `setup` or else the distribution's own ROS."""
-    noetic = Path("/opt/ros/noetic/setup.bash")
-    setup = setup or (noetic if noetic.exists() else "/dev/null")
+    ubuntus = (Path(f"/opt/ros/{name}/setup.bash") for name in ("noetic", "one"))
+    setup = setup or next(filter(Path.exists, ubuntus), "/dev/null")
     clean = {"PATH": SYSTEM_PATH, "HOME": os.environ.get("HOME", "/"), "LANG": "C.UTF-8"}
     result = subprocess.run(
         ["bash", "-c", 'source "$0" >/dev/null && env -0', setup], env=clean, stdout=subprocess.PIPE, text=True, check=True

@@ -7,13 +7,31 @@ from pathlib import Path
 
 import pytest
 
+from safety_control_cloud.gazebo_ros import gazebo_ros_executable
+from safety_control_cloud.processes import ProcessError
+
 TESTS = Path(__file__).resolve().parent
 SECONDS = 600
+IN_GAZEBO = TESTS / "platforms" / "gazebo"
+
+
+def has_gazebo():
+    try:
+        gazebo_ros_executable("gzserver")
+    except ProcessError:
+        return False
+    return True
+
+
+def parameters():
+    without_gazebo = pytest.mark.skipif(not has_gazebo(), reason="gazebo_ros is not installed")
+    for path in sorted(TESTS.rglob("*.test")):
+        yield pytest.param(path, id=str(path.relative_to(TESTS)), marks=[without_gazebo] if IN_GAZEBO in path.parents else [])
 
 
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("rostest") is None, reason="rostest is not installed")
-@pytest.mark.parametrize("path", [pytest.param(path, id=str(path.relative_to(TESTS))) for path in sorted(TESTS.rglob("*.test"))])
+@pytest.mark.parametrize("path", list(parameters()))
 def test_rostest(path, tmp_path):
     result = subprocess.run(
         ["rostest", path],  # with --text it would exit with 0 whatever the tests say

@@ -17,7 +17,7 @@ struct BorrowedCloud {
   py::object owner;
   core::Reading reading;
 
-  core::View view() const;  ///< throws ValueError if the reading is unreadable
+  core::View view(const core::Settings& settings) const;  ///< throws ValueError if the reading is unreadable
 };
 
 inline core::Crop crop_if(bool wanted) { return wanted ? core::Crop::Keep : core::Crop::Skip; }
@@ -25,8 +25,12 @@ inline core::Crop crop_if(bool wanted) { return wanted ? core::Crop::Keep : core
 /// A Cloud as it is, or the points of an array.
 BorrowedCloud cloud_in(const py::object& given);
 
+/// Where a camera is, by the matrix that takes its frame to target_frame; None: in its own.
+core::Placing placing_in(const py::object& camera);
+
 void bind_settings(py::module& module);  ///< first: all that takes Settings has them as a default
 void bind_clouds(py::module& module);
 void bind_results(py::module& module);
+void bind_path(py::module& module);
 
 }  // namespace bindings

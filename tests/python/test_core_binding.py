@@ -91,11 +91,57 @@ def test_a_parameter_that_does_not_exist_is_no_setting():
         core.Settings().danger_distanse = 0.6
 
 
+@pytest.mark.parametrize(
+    "name, value, kind",
+    [("danger_distance", "x", "a number"), ("min_points", 1.5, "a whole number"), ("min_points", -1, "a whole number"),
+     ("x_min", None, "a number"), ("target_frame", 3, "a name")])
+def test_a_value_of_another_kind_is_refused_by_the_parameters_name(name, value, kind):
+    with pytest.raises(TypeError, match=f"{name} must be {kind}"):
+        core.Settings(**{name: value})
+    with pytest.raises(TypeError, match=f"{name} must be {kind}"):
+        setattr(core.Settings(), name, value)
+
+
+@pytest.mark.parametrize("name, value", [("method", "fast"), ("method", 3), ("input", None)])
+def test_a_choice_that_does_not_exist_is_refused_by_the_parameters_name(name, value):
+    with pytest.raises(ValueError, match=f"{name} must be"):
+        core.Settings(**{name: value})
+
+
 def test_unfit_settings_are_refused_with_every_problem():
     unfit = core.Settings(x_min=1.0, publish_rate=0.0)
     assert len(unfit.problems()) == 2
     with pytest.raises(ValueError, match="x_min must be less.*publish_rate"):
         core.SafetyControl(unfit)
+
+
+IN_FRAME = core.Settings(target_frame="base_footprint")
+# A camera 0.3 m above the frame's origin that looks along its x axis.
+CAMERA = np.array([[0, 0, 1, 0], [-1, 0, 0, 0], [0, -1, 0, 0.3]], np.float64)
+
+
+def test_a_corridor_in_a_frame_is_judged_there_or_not_at_all():
+    """0.2 m below the optical axis, 0.45 m ahead: 10 cm above the floor, inside the corridor of the frame alone."""
+    cloud = np.array([[0, 0.24, 0.45], [2, 0, 3]], np.float32)
+    unplaced = core.SafetyControl(IN_FRAME).decide(cloud, now=0.0)
+    assert (unplaced.cause, unplaced.speed) == (core.Cause.NO_TRANSFORM, 0.0)
+    assert "base_footprint" in unplaced.reason
+    placed = core.SafetyControl(IN_FRAME).decide(cloud, now=0.0, camera=CAMERA)
+    assert (placed.cause, placed.zone) == (core.Cause.SEEN, core.Zone.DANGER)
+    assert placed.nearest.point == pytest.approx((0, -0.06, 0.45))
+    in_no_frame = core.SafetyControl().decide(cloud, now=0.0, camera=CAMERA)
+    assert in_no_frame.cause == core.Cause.NO_TRANSFORM
+
+
+@pytest.mark.parametrize("look", [core.look, core.passthrough])
+def test_looking_down_a_corridor_in_a_frame_needs_the_cameras_place(look):
+    cloud = np.array([[0, 0.24, 0.45]], np.float32)
+    assert look(cloud, IN_FRAME, camera=CAMERA).inside == 1
+    assert look(cloud).inside == 0
+    with pytest.raises(ValueError, match="base_footprint"):
+        look(cloud, IN_FRAME)
+    with pytest.raises(ValueError, match="shape"):
+        look(cloud, IN_FRAME, camera=CAMERA[:2])
 
 
 def test_the_interpreter_runs_on_while_a_cloud_is_looked_at():

@@ -12,7 +12,7 @@ from safety_control_cloud import core
 
 pytestmark = pytest.mark.usefixtures("best_instruction_set_afterwards")
 
-LIMITS = core.Settings()
+LIMITS = core.Settings(depth_minus_inf="nothing")  # the one point in which the node means something else by default
 
 
 @dataclass(frozen=True)
@@ -110,6 +110,19 @@ def test_an_image_shows_what_its_cloud_shows(picture):
     points = picture.camera.points_of(image)
     expected = numpy_facts(points)
     assert facts_of(core.passthrough(points, crop=True)) == expected
+    assert facts_of(core.passthrough(picture.camera.cloud_of(image), LIMITS, crop=True)) == expected
+    for name in [*core.instruction_sets(), ""]:
+        core.use_instruction_set(name)
+        assert facts_of(core.look(picture.camera.cloud_of(image), LIMITS, crop=True)) == expected, name
+
+
+@given(pictures)
+@settings(max_examples=300, deadline=None, print_blob=True)
+def test_minus_inf_is_too_close_and_all_else_as_ever(picture):
+    image = picture.image()
+    *seen, too_close, returns, total, crop = numpy_facts(picture.camera.points_of(image))
+    too_close = int(np.isneginf(image).sum()) if image.dtype.kind == "f" else 0
+    expected = ((0.0, 0.0, 0.0) if too_close else seen[0], seen[1], too_close, returns, total, crop)
     assert facts_of(core.passthrough(picture.camera.cloud_of(image), crop=True)) == expected
     for name in [*core.instruction_sets(), ""]:
         core.use_instruction_set(name)

@@ -33,13 +33,17 @@ class Cause:
     NO_TRANSFORM: Cause
     TWO_SOURCES: Cause
     LOW_OBSTACLE: Cause
+    TWO_COMMANDERS: Cause
+    WRONG_VIEW: Cause
+    NO_TIME: Cause
     name: str
     def __int__(self) -> int: ...
 
 class Settings:
     """Every parameter of the node, by its ROS name without the ~ and with the node's default.
 
-    Raises AttributeError for a name that is no parameter.
+    Raises AttributeError for a name that is no parameter, TypeError or ValueError, with the name, for what is no value
+    of it.
     """
 
     x_min: float
@@ -62,19 +66,38 @@ class Settings:
     source_timeout: float
     stamp_tolerance: float
     min_valid_ratio: float
+    min_returns: int
     near_loss_distance: float
     near_loss_timeout: float
+    blind_range: float
     frozen_clouds: int
     sensor_period: float
     base_timeout: float
     base_deceleration: float
+    hull: float
     publish_rate: float
+    depth_minus_inf: str
     method: str
     input: str
     def __init__(self, **parameters: Union[float, int, str]) -> None: ...
     def as_dict(self) -> Dict[str, Any]: ...
     def problems(self) -> List[str]:
         """A sentence for everything that makes these settings unfit to drive with; empty if they are fit."""
+
+class CameraClaims:
+    """What a sensor_msgs/CameraInfo says, by its names; roi is (x_offset, y_offset, height, width)."""
+
+    def __init__(
+        self,
+        height: int,
+        width: int,
+        D: Sequence[float],
+        K: Sequence[float],
+        P: Sequence[float],
+        binning_x: int = 0,
+        binning_y: int = 0,
+        roi: Tuple[int, int, int, int] = ...,
+    ) -> None: ...
 
 class Cloud:
     """A cloud, or a depth image, in borrowed memory. An array of points may stand wherever a Cloud is asked for."""
@@ -102,8 +125,23 @@ class Cloud:
     def of_depth(image: np.ndarray, fx: float, fy: float, cx: float, cy: float) -> Cloud:
         """A rectified depth image of shape (H, W), float32 [m] or uint16 [mm], and its camera [px].
 
-        Its points are those of depth_image_proc/point_cloud_xyz. Raises TypeError for another type of pixel, ValueError
+        Its points are those of depth_image_proc/point_cloud_xyz, but for -Inf: see depth_minus_inf. Raises TypeError for another type of pixel, ValueError
         for another shape or for pixels of a row that do not follow each other.
+        """
+    @staticmethod
+    def of_image(
+        data: Union[bytes, bytearray, memoryview, np.ndarray],
+        height: int,
+        width: int,
+        encoding: str,
+        is_bigendian: bool,
+        step: int,
+        rectified: bool,
+        camera: CameraClaims,
+    ) -> Cloud:
+        """The content of a sensor_msgs/Image of depths, and its camera; `rectified`: the image is, whatever D says.
+
+        What contradicts itself makes an unreadable cloud, as it does in the node; it does not raise.
         """
     @property
     def unreadable(self) -> Optional[str]:
@@ -127,7 +165,6 @@ class Sight:
     too_close: int  # points at -Inf that cannot be placed outside the corridor
     returns: int  # points with finite x, y, z and z > range_min
     total: int  # points of the cloud
-    lost: int  # pixels without a return whose last one was near and in the corridor
     @property
     def crop(self) -> Optional[np.ndarray]:
         """The returns in the corridor, (inside, 3) float32 in the cloud's order; None unless asked for."""
@@ -146,7 +183,7 @@ class SafetyControl:
     """Decides one cloud at a time.
 
     `now` [s] is any clock that never goes back, the same one in every call; `stamp` and `ros_now` [s] are the cloud's
-    stamp and the clock it was stamped by. Left out, they are taken for `now`: the cloud is fresh.
+    stamp and the clock it was stamped by; 0 is no time (NO_TIME). Left out, they are taken for `now`: the cloud is fresh.
     """
 
     def __init__(self, settings: Settings = ...) -> None:
@@ -158,18 +195,36 @@ class SafetyControl:
         crop: bool = False,
         stamp: Optional[float] = None,
         ros_now: Optional[float] = None,
+        camera: Optional[Union[np.ndarray, str]] = None,
+        source: str = "",
+        frame: str = "",
     ) -> Decision:
-        """The decision for a cloud that has just arrived; an unreadable one is decided on too (UNREADABLE, 0 m/s)."""
+        """The decision for a cloud that has just arrived; an unreadable one is decided on too (UNREADABLE, 0 m/s).
+
+        With a target_frame, `camera` is where the camera is in it: the matrix, (3, 4) or (4, 4), that takes points of
+        the optical frame to target_frame (x forward, y left, z up) [m]; or a sentence that says why that is not known.
+        Left out, the robot stands (NO_TRANSFORM). `source`: who sent the cloud, `frame`: that its header
+        names. Raises ValueError for another shape.
+        """
     def without_cloud(self, now: float, ros_now: Optional[float] = None) -> Decision:
         """The decision that holds when no cloud arrives: the last one until source_timeout, then SILENT."""
     def forget_losses(self) -> None:
-        """Forgets the near obstacles that were lost from sight (NEAR_LOSS): somebody has looked."""
+        """Forgets the near obstacles that were lost from sight (NEAR_LOSS), and how much and how soon the camera used to
+        show (BLIND, STALE): somebody has looked."""
 
-def look(cloud: Union[Cloud, np.ndarray], settings: Settings = ..., crop: bool = False) -> Sight:
-    """One pass over the bytes. Raises ValueError with the reason if the cloud is unreadable."""
+def look(
+    cloud: Union[Cloud, np.ndarray], settings: Settings = ..., crop: bool = False, camera: Optional[np.ndarray] = None
+) -> Sight:
+    """One pass over the bytes; `camera` as in decide().
 
-def passthrough(cloud: Union[Cloud, np.ndarray], settings: Settings = ..., crop: bool = False) -> Sight:
-    """The same Sight by pcl::PassThrough and pcl::getMinMax3D. Raises ValueError if the cloud is unreadable."""
+    Raises ValueError with the reason if the cloud is unreadable, or if the settings name a target_frame and `camera` is
+    left out, or the other way round.
+    """
+
+def passthrough(
+    cloud: Union[Cloud, np.ndarray], settings: Settings = ..., crop: bool = False, camera: Optional[np.ndarray] = None
+) -> Sight:
+    """The same Sight by pcl::PassThrough and pcl::getMinMax3D. Raises as look() does."""
 
 def instruction_sets() -> List[str]:
     """What look() can use on this machine, best first, as "AVX2" or "NEON"; "PORTABLE" is plain C++."""
@@ -185,3 +240,82 @@ def zone_at(distance: float, settings: Settings = ...) -> Zone:
 
 def speed_for(zone: Zone, settings: Settings = ...) -> float:
     """[m/s] forward."""
+
+Vector = Tuple[float, float]  # x forward, y left [m]
+Motion = Tuple[float, float, float]  # vx forward, vy left [m/s], w turning left [rad/s]; in base_frame (REP 103)
+
+class Footprint:
+    """What the robot covers of the floor, in base_frame (x forward, y left) [m], and a margin kept clear around it."""
+
+    def __init__(self, polygon: Sequence[Vector] = ..., radius: float = 0.0, margin: float = 0.0) -> None:
+        """A polygon, convex or not, or a circle around the origin. Raises ValueError with all problems_in_footprint."""
+    def signed_distance(self, points: np.ndarray) -> np.ndarray:
+        """(N,) [m] from the footprint without its margin, of (N, 2) points; inside, minus that to the nearest side."""
+
+def problems_in_footprint(polygon: Sequence[Vector] = ..., radius: float = 0.0, margin: float = 0.0) -> List[str]:
+    """A sentence for everything that makes this no footprint; empty if it is one."""
+
+class Law:
+    """What decides how fast one may approach; core/speed/law.hpp says what each figure means."""
+
+    sensor_period: float  # [s]
+    latency: float  # [s]
+    base_reaction: float  # [s]
+    linear_deceleration: float  # [m/s2]
+    angular_deceleration: float  # [rad/s2]
+    obstacle_speed: float  # [m/s]
+    escape_speed: float  # [m/s]
+    noise: float  # [m]
+    min_points: int
+    def __init__(self, **figures: Union[float, int]) -> None:
+        """Raises AttributeError for a name that is none of these, ValueError for a value that is unfit."""
+
+class Limit:
+    """What a robot may drive of a wish, and why not all of it."""
+
+    factor: float  # in [0, 1], for limited()
+    time: float  # [s] of the wanted twist until what decided is touched; infinite: nothing is
+    point: Optional[int]  # which of the points that is
+    is_escape: bool  # the way leads out of the margin, at escape_speed
+
+def time_to_contact(
+    footprint: Footprint, twist: Motion, points: np.ndarray, widening: float = 0.0, horizon: float = ...
+) -> np.ndarray:
+    """(N,) [s] of the twist until each of (N, 2) resting points touches the footprint, widened by margin and widening
+    [m]; 0 inside it, infinite if not within a full turn or the horizon [s]. Raises ValueError for another shape."""
+
+def moved(points: np.ndarray, twist: Motion, time: float) -> np.ndarray:
+    """(N, 2) where resting points stand in base_frame after so many seconds of the twist."""
+
+def reduced(points: np.ndarray, cell: float) -> Tuple[np.ndarray, List[int], float]:
+    """One point for each cell [m] of a grid, the returns it stands for, and how far they lie from it at most [m]."""
+
+def limited(twist: Motion, factor: float) -> Motion:
+    """The twist as a whole times a factor in [0, 1]; at 1 equal in every bit."""
+
+def greatest_factor(time: float, delay: float, reaction: float, braking: float, share: float = 0.0) -> float:
+    """The greatest s in [0, 1] with s reaction + s^2 braking / 2 <= time [s], for a robot that drives `share` of the
+    twist already and goes on with that for the delay."""
+
+def straying(
+    footprint: Footprint,
+    law: Law,
+    under_way: Motion,
+    wanted: Motion,
+    least: float = 0.0,
+    most: float = 1.0,
+    age: float = 0.0,
+) -> Tuple[float, float]:
+    """How much of the wanted twist the robot drives already, and how far it leaves its path at most [m], if it comes to
+    drive it at a factor between least and most."""
+
+def limit(
+    footprint: Footprint,
+    law: Law,
+    points: np.ndarray,
+    wanted: Motion,
+    under_way: Sequence[Motion] = ...,
+    age: float = 0.0,
+) -> Limit:
+    """The greatest factor from which the robot still stops before it touches one of (N, 2) points. `age` [s] is theirs;
+    `under_way`: its twist of now and the commands that may not yet have reached the base; none: it stands."""

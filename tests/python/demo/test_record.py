@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
+from __future__ import annotations
+
 import pytest
 
 from safety_control_cloud.demo.record import Approach, Sample

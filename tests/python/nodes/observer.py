@@ -17,6 +17,7 @@ from nav_msgs.msg import Odometry
 from std_msgs.msg import String
 from std_srvs.srv import Empty
 
+from safety_control_cloud.demo.record import STANDING
 from safety_control_cloud.msg import SafetyState
 
 BRAKING = 0.36  # [m/s2] of the driver
@@ -68,7 +69,7 @@ class Observer:
         self.until("the robot drives at 0.2 m/s", lambda: self.speed > 0.195)
 
     def until_it_stands(self) -> None:
-        self.until("the robot stands", lambda: self.speed == 0.0)
+        self.until("the robot stands", lambda: abs(self.speed) < STANDING)
 
     def reset(self) -> None:
         rospy.wait_for_service("/turtlebot_sim/reset", timeout=30)

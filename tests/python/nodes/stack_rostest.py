@@ -22,7 +22,7 @@ class Stack(unittest.TestCase):
         cls.seen = Observer()
 
     def setUp(self):
-        self.seen.until("the node has spoken", lambda: self.seen.states)
+        self.seen.until("the node sees", lambda: self.seen.states and self.seen.states[-1].cause_text == "SEEN")
         self.seen.reset()
         self.seen.states.clear()
 

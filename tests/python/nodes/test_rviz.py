@@ -2,11 +2,9 @@
 """What a person sees in rviz, looked at: our configuration, on a virtual screen, with the whole stack running."""
 from __future__ import annotations
 
-import os
 import shutil
 import subprocess
 import time
-from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +16,7 @@ from matplotlib.image import imread  # noqa: E402
 
 from safety_control_cloud.processes import process  # noqa: E402
 from safety_control_cloud.ros_session import roscore  # noqa: E402
+from safety_control_cloud.virtual_screen import virtual_screen  # noqa: E402
 
 PICTURE = Path(__file__).parents[3] / "build/rviz.png"  # kept: the README shows it
 WIDTH, HEIGHT = 1440, 900  # [px]
@@ -29,21 +28,6 @@ pytestmark = [
     pytest.mark.skipif(
         not all(map(shutil.which, ("Xvfb", "import", "rviz", "roslaunch"))), reason="rviz or Xvfb is missing"),
 ]
-
-
-@contextmanager
-def virtual_screen():
-    """Gives the DISPLAY of a screen that nobody sees."""
-    reading, writing = os.pipe()
-    command = ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten", "tcp"]
-    screen = subprocess.Popen(command, pass_fds=[writing], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    os.close(writing)
-    try:
-        with os.fdopen(reading) as number:
-            yield ":" + number.readline().strip()
-    finally:
-        screen.terminate()
-        screen.wait()
 
 
 def picture(path: Path) -> np.ndarray:
@@ -88,7 +72,7 @@ def launch_after_the_world(file: str):
 
 def test_rviz_shows_the_corridors_points_in_green_while_the_node_speaks_and_none_before(tmp_path, monkeypatch):
     monkeypatch.setenv("LIBGL_ALWAYS_SOFTWARE", "1")
-    with virtual_screen() as display, roscore():
+    with virtual_screen(WIDTH, HEIGHT) as display, roscore():
         monkeypatch.setenv("DISPLAY", display)
         with launch("turtlebot_world.launch"), launch_after_the_world("rviz.launch"):
             screen = wait_for("the coloured cloud", tmp_path / "silent.png", lambda screen: wooden(screen) > 500)

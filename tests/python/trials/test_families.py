@@ -37,6 +37,13 @@ def test_the_robot_seldom_stands_before_free_ground(outcomes):
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("family", [family for family in FAMILIES if family not in WITH_FAULTS])
+def test_no_family_is_one_in_which_the_robot_stands_for_ever(family, outcomes):
+    """All of one family's drives are fewer than 3 % of all."""
+    assert [one.name for one in outcomes[family] if one.stuck] == []
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [900, 910, 1700])
 def test_the_robot_goes_on_when_a_post_that_crossed_a_hall_at_the_end_of_its_memory_has_gone(seed):
     outcome = drive(Job("slides_out_again", seed, "ours"))

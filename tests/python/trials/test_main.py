@@ -4,8 +4,14 @@ from __future__ import annotations
 import pytest
 from rich.console import Console
 
-from safety_control_cloud.trials.__main__ import options
+from safety_control_cloud.trials import names
+from safety_control_cloud.trials.families import FAMILIES
+from safety_control_cloud.trials.options import options
 from safety_control_cloud.trials.replay import replay
+
+
+def test_every_family_can_be_asked_for_by_name():
+    assert names.FAMILIES == tuple(FAMILIES)
 
 
 def test_a_drive_to_replay_is_named_by_family_and_seed():

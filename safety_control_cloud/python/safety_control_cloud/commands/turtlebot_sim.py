@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import argparse
 import sys
+from typing import TYPE_CHECKING
 
-import rospy
-
-from ..nodes.turtlebot_sim import Options, TurtlebotSim
 from ..simulation.base import LIMITS
-from ..simulation.robot import BODY, GROUP
-from ..simulation.sensor import Xtion
-from ..simulation.turtlebot import TurtleBot
-from ..simulation.world import World, world_names
+from ..simulation.world_files import world_names
+from .arguments import picture_size, yes
+from .remappings import without_remappings
+
+if TYPE_CHECKING:
+    from ..nodes.turtlebot_sim import TurtlebotSim
+    from ..simulation.world import World
 
 
 def parser() -> argparse.ArgumentParser:
@@ -20,7 +21,7 @@ def parser() -> argparse.ArgumentParser:
         prog="turtlebot_sim", description=__doc__.split(": ", 1)[1],
         formatter_class=argparse.ArgumentDefaultsHelpFormatter)
     parser.add_argument("--world", default="cabinet", help=f"{', '.join(world_names())}, or an MJCF file")
-    parser.add_argument("--size", default="640x480", type=_size, help="of the camera's pictures [px]")
+    parser.add_argument("--size", default="640x480", type=picture_size, help="of the camera's pictures [px]")
     parser.add_argument("--camera-rate", default=20.0, type=float, help="pictures a simulated second; their distance is rounded to 10 ms")
     parser.add_argument("--depth-encoding", default="32FC1", choices=("32FC1", "16UC1"), help="of the depth image")
     parser.add_argument("--wheels", default="driver", choices=sorted(LIMITS),
@@ -28,12 +29,19 @@ def parser() -> argparse.ArgumentParser:
     parser.add_argument("--rate", default=1.0, type=float, help="simulated seconds a real one; 0: as fast as it goes")
     parser.add_argument("--seed", default=0, type=int, help="of the depth's noise and the body's rocking")
     parser.add_argument("--no-noise", action="store_true", help="true depth and no rocking")
-    parser.add_argument("--viewer", nargs="?", const=True, default=False, type=_yes, help="open MuJoCo's own window")
+    parser.add_argument("--viewer", nargs="?", const=True, default=False, type=yes, help="open MuJoCo's own window")
     return parser
 
 
 def main(argv: list[str]) -> None:
-    arguments = parser().parse_args(rospy.myargv(argv)[1:])
+    arguments = parser().parse_args(without_remappings(argv[1:]))
+    import rospy  # after the arguments: --help needs Python alone
+
+    from ..nodes.turtlebot_sim import Options, TurtlebotSim
+    from ..simulation.sensor import Xtion
+    from ..simulation.turtlebot import TurtleBot
+    from ..simulation.world import World
+
     rospy.init_node("turtlebot_sim")
     rospy.set_param("/use_sim_time", True)
     xtion = Xtion(*arguments.size, rate=arguments.camera_rate)
@@ -49,21 +57,13 @@ def main(argv: list[str]) -> None:
 def _run_in_window(simulator: TurtlebotSim, world: World) -> None:
     import mujoco.viewer  # needs a display
 
+    from ..simulation.robot import BODY, GROUP
+
     with mujoco.viewer.launch_passive(world.model, world.data, show_left_ui=False, show_right_ui=False) as window:
         window.opt.geomgroup[GROUP] = 1
         window.cam.type, window.cam.trackbodyid = mujoco.mjtCamera.mjCAMERA_TRACKING, world.model.body(BODY).id
         window.cam.distance, window.cam.azimuth, window.cam.elevation = 4.0, 25.0, -25.0
         simulator.run(window.sync)
-
-
-def _size(text: str) -> tuple[int, int]:
-    width, height = text.split("x")
-    return int(width), int(height)
-
-
-def _yes(text: str) -> bool:
-    """roslaunch hands over `true` or `false`."""
-    return text.strip().lower() in ("1", "true", "yes")
 
 
 if __name__ == "__main__":

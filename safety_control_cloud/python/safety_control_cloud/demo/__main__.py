@@ -6,11 +6,8 @@ import argparse
 import sys
 from pathlib import Path
 
-import rospy
-
 from ..processes import ProcessError, end_on_sigterm
-from ..simulation.world import world_file, world_names
-from .run import Options, run
+from ..simulation.world_files import world_file, world_names
 
 
 def main(argv: list[str]) -> int:
@@ -19,13 +16,26 @@ def main(argv: list[str]) -> int:
         epilog="Ends with 0 only if the robot stood in Danger, having touched nothing, both times.")
     parser.add_argument("--world", default="cabinet", type=_world,
                         help=f"{', '.join(world_names())}, or an MJCF file (%(default)s)")
+    parser.add_argument("--simulator", default="mujoco", choices=("mujoco", "gazebo"), help="(%(default)s)")
     parser.add_argument("--rviz", action="store_true", help="open rviz beside it")
     parser.add_argument("--out", type=Path, default=Path("safety_demo"), help="folder for the picture and the bag")
     parser.add_argument("--patience", type=float, default=60.0, help="[s] a drive may take (%(default)s)")
     arguments = parser.parse_args(argv)
+    import rospy  # after the arguments: --help needs Python alone
+
+    from ..gazebo_ros import gazebo_ros_executable
+    from .run import Options, run
+
     end_on_sigterm()
+    if arguments.simulator == "gazebo":
+        try:
+            gazebo_ros_executable("gzserver")
+        except ProcessError as missing:
+            print(f"demo: {missing}", file=sys.stderr)
+            return 2
+    options = Options(arguments.world, arguments.simulator, arguments.out, arguments.rviz, arguments.patience)
     try:
-        return 0 if run(Options(arguments.world, arguments.out, arguments.rviz, arguments.patience)) else 1
+        return 0 if run(options) else 1
     except (ProcessError, rospy.ROSException) as error:
         print(f"demo: {error}; see {arguments.out / 'roslaunch.log'}", file=sys.stderr)
         return 2

@@ -55,7 +55,7 @@ def _caption(sample: Sample) -> str:
 
 def _draw_distance(axes: Axes, approaches: Sequence[Approach], origin: float) -> None:
     nearest = [_series(approach, origin, "nearest") for approach in approaches]
-    top = max(1.5, 1.08 * max(np.nanmax(values, initial=0.0) for _, values in nearest))
+    top = max(1.5, 1.08 * max(np.nan_to_num(values).max() for _, values in nearest))
     for zone, low, high in (("Danger", 0, DANGER), ("Warning", DANGER, WARNING), ("Safe", WARNING, top)):
         axes.axhspan(low, high, color=_PALE[zone], linewidth=0)
         axes.text(0.01, low + 0.06, zone, transform=axes.get_yaxis_transform(), color=COLOURS[zone], weight="bold")

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from itertools import groupby
+from math import isfinite
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray  # not in the numpy of Ubuntu 20.04
 
 STANDING = 0.001  # [m/s] below which the robot stands
 
@@ -20,6 +24,11 @@ class Sample:
     nearest: float  # [m] along z from the camera; inf: nothing there, NaN: the node could not look
     commanded: float  # [m/s] on /mobile_base/commands/velocity
     speed: float  # [m/s] over the floor
+
+    @property
+    def stands_before_something(self) -> bool:
+        """Not so a robot that stands because its camera has not begun."""
+        return self.zone == "Danger" and isfinite(self.nearest) and abs(self.speed) < STANDING
 
 
 @dataclass(frozen=True)
@@ -39,7 +48,7 @@ class Approach:
     def stood_at(self) -> float | None:
         """[m] from the camera to the obstacle where the robot came to stand in Danger; None if it did not."""
         last = self.samples[-1] if self.samples else None
-        return last.nearest if last and last.zone == "Danger" and abs(last.speed) < STANDING else None
+        return last.nearest if last and last.stands_before_something else None
 
     @property
     def problem(self) -> str | None:

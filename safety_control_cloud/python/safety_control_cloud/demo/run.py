@@ -26,6 +26,7 @@ _START_TIMEOUT = 30.0  # [s]
 @dataclass(frozen=True)
 class Options:
     world: str
+    simulator: str  # mujoco or gazebo
     folder: Path  # for picture, bag and logs
     rviz: bool
     patience: float  # [s] of simulated time for a drive
@@ -49,7 +50,7 @@ def run(options: Options) -> bool:
 @contextmanager
 def _launched(options: Options) -> Iterator[Process]:
     """The whole stack; what it says is kept in roslaunch.log."""
-    arguments = [f"world:={options.world}", f"rviz:={str(options.rviz).lower()}"]
+    arguments = [f"simulator:={options.simulator}", f"world:={options.world}", f"rviz:={str(options.rviz).lower()}"]
     launch = Process(["roslaunch", "safety_control_cloud", "demo.launch", *arguments])
     try:
         yield launch

@@ -17,7 +17,7 @@ from std_srvs.srv import Empty
 
 from safety_control_cloud.msg import SafetyState
 
-from .record import STANDING, Approach, Sample
+from .record import Approach, Sample
 
 STANDS_FOR = 1.0  # [s] until the robot is believed to stand
 SIMULATOR = "/turtlebot_sim"
@@ -81,8 +81,7 @@ class Watch:
                 return False
             now = self._samples[-1].time
             last = [sample for sample in self._samples if sample.time > now - STANDS_FOR]
-            return now - self._samples[0].time > STANDS_FOR and all(
-                sample.zone == "Danger" and abs(sample.speed) < STANDING for sample in last)
+            return now - self._samples[0].time > STANDS_FOR and all(sample.stands_before_something for sample in last)
 
     def _on_state(self, state: SafetyState) -> None:
         stamp = state.header.stamp.to_sec()

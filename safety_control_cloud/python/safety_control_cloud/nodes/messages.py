@@ -2,18 +2,23 @@
 """What the simulated TurtleBot says, as ROS messages. Stamps are genpy Times; frames as on the real robot."""
 from __future__ import annotations
 
-from math import cos, sin
+from math import atan2, cos, sin
+from typing import TYPE_CHECKING
 
 import numpy as np
 from genpy import Time
+from geometry_msgs.msg import Point
+from geometry_msgs.msg import Pose as RosPose
 from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Twist, Vector3
 from nav_msgs.msg import Odometry
-from numpy.typing import NDArray
 from sensor_msgs.msg import CameraInfo, Image, JointState, PointCloud2, PointField
 from std_msgs.msg import Header
 
 from ..simulation.base import WHEEL_RADIUS, Pose, Velocity
 from ..simulation.sensor import POINT, Xtion, fill_cloud, fill_colour, millimetres
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray  # not in the numpy of Ubuntu 20.04
 
 WORLD_FRAME = "odom"
 BASE_FRAME = "base_footprint"
@@ -29,8 +34,23 @@ def to_velocity(twist: Twist) -> Velocity:
     return Velocity(twist.linear.x, twist.angular.z)
 
 
+def to_twist(velocity: Velocity) -> Twist:
+    return Twist(Vector3(velocity.linear, 0, 0), Vector3(0, 0, velocity.angular))
+
+
 def to_quaternion(yaw: float) -> Quaternion:
     return Quaternion(0, 0, sin(yaw / 2), cos(yaw / 2))
+
+
+def to_pose(pose: RosPose) -> Pose:
+    """As seen from above."""
+    turn = pose.orientation
+    yaw = atan2(2 * (turn.w * turn.z + turn.x * turn.y), 1 - 2 * (turn.y**2 + turn.z**2))
+    return Pose(pose.position.x, pose.position.y, yaw)
+
+
+def to_ros_pose(pose: Pose, z: float = 0.0) -> RosPose:
+    return RosPose(Point(pose.x, pose.y, z), to_quaternion(pose.yaw))
 
 
 def to_transform(pose: Pose, stamp: Time) -> TransformStamped:

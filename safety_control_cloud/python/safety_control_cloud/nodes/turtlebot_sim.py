@@ -6,11 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from itertools import count
-from math import atan2
-from queue import Empty, SimpleQueue
 
 import rospy
-from geometry_msgs.msg import PointStamped, PoseWithCovarianceStamped, Twist
+from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import JointState
@@ -19,11 +17,12 @@ from std_srvs.srv import Empty as EmptyService
 from std_srvs.srv import EmptyResponse
 from tf2_msgs.msg import TFMessage
 
-from ..simulation.base import Pose
 from ..simulation.turtlebot import TICK, TurtleBot
 from . import messages
 from .camera_topics import CameraTopics
+from .orders import Orders
 from .pace import Pace
+from .rviz_tools import listen_to_rviz
 
 _ODOMETRY_EVERY = 2  # ticks: 50 Hz, as kobuki_node
 
@@ -41,7 +40,7 @@ class TurtlebotSim:
     def __init__(self, robot: TurtleBot, options: Options = Options()) -> None:
         self._robot = robot
         self._options = options
-        self._orders: SimpleQueue[Callable[[], None]] = SimpleQueue()
+        self._orders = Orders()
         self._touched: str | None = None
         self._advertise()
         self._camera = CameraTopics(robot, options.depth_encoding)
@@ -54,7 +53,7 @@ class TurtlebotSim:
         for tick in count(1):
             if rospy.is_shutdown():
                 break
-            self._obey()
+            self._orders.obey()
             self._robot.step()
             stamp = messages.time_of(self._robot.time)
             self._clock.publish(Clock(stamp))
@@ -76,38 +75,17 @@ class TurtlebotSim:
 
     def _subscribe(self) -> None:
         rospy.Subscriber("/mobile_base/commands/velocity", Twist, self._on_velocity, queue_size=10, tcp_nodelay=True)
-        rospy.Subscriber("/initialpose", PoseWithCovarianceStamped, self._on_pose, queue_size=1)
-        rospy.Subscriber("/clicked_point", PointStamped, self._on_point, queue_size=10)
+        listen_to_rviz(
+            place=partial(self._orders.put, self._robot.place),
+            drop=partial(self._orders.put, self._robot.world.drop_box))
         rospy.Service("~reset", EmptyService, self._on_reset)
 
     def _on_velocity(self, twist: Twist) -> None:
-        self._orders.put(partial(self._robot.command, messages.to_velocity(twist)))
-
-    def _on_pose(self, message: PoseWithCovarianceStamped) -> None:
-        if self._is_in_world(message.header.frame_id, "2D Pose Estimate"):
-            at, turn = message.pose.pose.position, message.pose.pose.orientation
-            self._orders.put(partial(self._robot.place, Pose(at.x, at.y, 2 * atan2(turn.z, turn.w))))
-
-    def _on_point(self, message: PointStamped) -> None:
-        if self._is_in_world(message.header.frame_id, "Publish Point"):
-            self._orders.put(partial(self._robot.world.drop_box, message.point.x, message.point.y))
+        self._orders.put(self._robot.command, messages.to_velocity(twist))
 
     def _on_reset(self, _request) -> EmptyResponse:
-        self._orders.put(partial(self._robot.reset, self._options.seed))
+        self._orders.put(self._robot.reset, self._options.seed)
         return EmptyResponse()
-
-    def _is_in_world(self, frame: str, tool: str) -> bool:
-        if frame.lstrip("/") == messages.WORLD_FRAME:
-            return True
-        rospy.logwarn("%s is understood in %s, not in '%s': rviz's fixed frame", tool, messages.WORLD_FRAME, frame)
-        return False
-
-    def _obey(self) -> None:
-        try:
-            while True:
-                self._orders.get_nowait()()
-        except Empty:
-            pass
 
     def _publish_contacts(self) -> None:
         touched = ", ".join(sorted({contact.obstacle for contact in self._robot.contacts}))

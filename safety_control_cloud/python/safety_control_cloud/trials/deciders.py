@@ -6,15 +6,15 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..simulation.sensor import Xtion, points
 from .scenario import XTION, Scenario
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray  # not in the numpy of Ubuntu 20.04
+
     from ..core import Decision
 
-METHODS = ("tutorial", "ours")
 _EPOCH = 1000.0  # [s] of ROS time when a drive begins
 
 
@@ -79,7 +79,7 @@ class Tutorial:
 
 
 def decider_for(method: str, scenario: Scenario) -> Decider:
-    """One of METHODS."""
+    """One of names.METHODS."""
     return Ours(dict(scenario.settings)) if method == "ours" else Tutorial()
 
 

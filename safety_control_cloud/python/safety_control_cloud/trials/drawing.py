@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import degrees
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import matplotlib
 
@@ -14,13 +15,15 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.patches import Circle, Rectangle
-from numpy.typing import NDArray
 
-from ..simulation.robot import BODY_RADIUS
+from ..simulation.hull import BODY_RADIUS
 from .outcome import Moment, Outcome
 from .scenario import XTION, Scenario
 from .stage import FREE_TO
 from .things import Surface
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray  # not in the numpy of Ubuntu 20.04
 
 ZONES = {"Safe": "#2e9e5b", "Warning": "#e8a317", "Danger": "#d64545"}
 INK, QUIET = "#22303c", "#8795a1"

@@ -20,7 +20,7 @@ from .stage import Stage
 SOMEBODY = "Safe reactive controller"  # the input, of higher priority than TELEOP, by which the robot is turned
 _TICKS_A_PICTURE = round(1 / (XTION.rate * TICK))
 
-Watch = Callable[[Stage, Moment], None]
+Watch = "Callable[[Stage, Moment], None]"
 
 
 def episode(scenario: Scenario, method: str, watch: Watch = lambda stage, moment: None) -> Outcome:

@@ -2,8 +2,9 @@
 """A scenario set up: its world, its robot, its camera, and the truth about the corridor."""
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-from numpy.typing import NDArray
 
 from ..simulation.base import Pose, pitch_at
 from ..simulation.gl import mujoco
@@ -12,6 +13,9 @@ from ..simulation.turtlebot import TurtleBot
 from ..simulation.world import World
 from .scenario import XTION, Scenario, random_of
 from .things import Surface
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray  # not in the numpy of Ubuntu 20.04
 
 FREE_TO = 1.2  # [m] from the camera: nothing in the corridor nearer than this, and standing in Danger is wrong
 _CORRIDOR = "true_corridor"

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from math import tan
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..simulation.base import Pose
 from .scenario import XTION
 from .things import Thing
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray  # not in the numpy of Ubuntu 20.04
 
 BORDER = 1 / 8  # of the picture's width: real cameras return nothing there, near their picture's edges
 _ROUND = np.linspace(0, 2 * np.pi, 64, endpoint=False)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import pi
 
-from ...simulation.robot import BODY_RADIUS
+from ...simulation.hull import BODY_RADIUS
 from .drawing import LEG, Draft, Draw, at_most_driven, background, legs, stops_at
 
 

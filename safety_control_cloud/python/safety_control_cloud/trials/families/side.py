@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import cos, radians, sin
 
 from ...simulation.base import Pose
-from ...simulation.robot import BODY_RADIUS
+from ...simulation.hull import BODY_RADIUS
 from ..camera_faults import Spell
 from ..scenario import Turn
 from ..things import Path, Thing, post, wall

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What scripts/trials does with its arguments."""
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+from .names import METHODS
+from .outcome import Outcome
+from .run import drive_all, jobs_for
+from .summary import is_collision, to_json
+from .table import table_of, verdict_of
+
+COLLIDED = 1  # exit code
+
+
+def run(given: argparse.Namespace) -> int:
+    """Gives the exit code."""
+    methods = METHODS if given.method == "both" else (given.method,)
+    return _replay(given, methods) if given.replay else _drive(given, methods)
+
+
+def _replay(given: argparse.Namespace, methods: Sequence[str]) -> int:
+    from .replay import replay
+
+    replay(*given.replay, methods, given.video, _console())
+    return 0
+
+
+def _drive(given: argparse.Namespace, methods: Sequence[str]) -> int:
+    outcomes = _with_progress(jobs_for(given.episodes, given.seed, methods, given.family), given.jobs)
+    console = _console()
+    console.print(table_of(outcomes))
+    for line in verdict_of(outcomes):
+        console.print(line, highlight=False)
+    if given.json:
+        given.json.write_text(to_json(outcomes) + "\n")
+    if given.report:
+        from .report import write_report
+
+        console.print(f"report: {write_report(outcomes, given.report)}")
+    return COLLIDED if any(is_collision(one) and one.method == "ours" for one in outcomes) else 0
+
+
+def _console() -> Console:
+    return Console(width=None if sys.stdout.isatty() else 130)
+
+
+def _with_progress(jobs, workers: int) -> list[Outcome]:
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        task = progress.add_task("drives", total=len(jobs))
+        return drive_all(jobs, workers, lambda outcome: progress.advance(task))

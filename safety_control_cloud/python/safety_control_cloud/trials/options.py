@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which drives, by the command line; needs Python alone."""
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from os import cpu_count
+from pathlib import Path
+
+from .names import FAMILIES, METHODS
+
+PURPOSE = "Randomised drives in simulation: does the robot run into things?"
+
+
+def options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="trials", description=PURPOSE, epilog="Exit code 1: our method has run into something it could have seen.")
+    parser.add_argument("--episodes", metavar="N", type=_positive, default=1000,
+                        help="shared out among the families [%(default)s]")
+    parser.add_argument("--seed", metavar="S", type=int, default=1,
+                        help="of the first episode of each family [%(default)s]")
+    parser.add_argument("--jobs", metavar="J", type=_positive, default=cpu_count() or 1, help="processes [%(default)s]")
+    parser.add_argument("--method", choices=(*METHODS, "both"), default="both", help="[%(default)s]")
+    parser.add_argument("--family", choices=FAMILIES, action="append", default=[], metavar="F",
+                        help=f"only this one; may be repeated: {', '.join(FAMILIES)}")
+    parser.add_argument("--json", metavar="F", type=Path, help="write the table and every outcome")
+    parser.add_argument("--report", metavar="DIR", type=Path,
+                        help="write a page with the table, histograms and our collisions")
+    parser.add_argument("--replay", metavar="FAMILY:SEED", type=_scenario, help="one drive, told moment by moment")
+    parser.add_argument("--video", metavar="F.gif", type=Path, help="with --replay: what the robot saw and where it went")
+    given = parser.parse_args(arguments)
+    if given.video and not given.replay:
+        parser.error("--video goes with --replay")
+    return given
+
+
+def _positive(text: str) -> int:
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"{text} is not above 0")
+    return number
+
+
+def _scenario(text: str) -> tuple[str, int]:
+    family, _, seed = text.partition(":")
+    if family not in FAMILIES or not seed.isdigit():
+        raise argparse.ArgumentTypeError(f"{text!r} is not FAMILY:SEED; the families are {', '.join(FAMILIES)}")
+    return family, int(seed)
