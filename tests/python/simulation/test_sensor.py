@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 
 from safety_control_cloud.simulation.sensor import (
-    POINT, Xtion, fill_cloud, fill_colour, millimetres, new_cloud, noisy, points, returned,
+    POINT, Xtion, fill_cloud, fill_colour, millimetres, new_cloud, noisy, points, returned, with_strays,
 )
 
 SMALL = Xtion(width=4, height=2)
@@ -65,3 +65,19 @@ def test_colour_is_packed_as_pcl_does():
 
 def test_a_depth_image_in_millimetres_has_0_where_nothing_returned():
     assert millimetres(np.array([[1.2345, np.nan]], np.float32)).tolist() == [[1234, 0]]
+
+
+def test_a_share_of_what_is_too_near_returns_any_depth_in_the_range_and_the_rest_is_as_measured():
+    sensor = Xtion(stray=0.1)
+    depth = np.full((200, 300), 0.2, np.float32)
+    depth[:, 150:] = 1.0
+    depth[:50] = 7.0
+    measured = np.where(depth == 1.0, depth, np.float32(np.nan))
+
+    marred = with_strays(measured, depth, sensor, np.random.default_rng(1))
+
+    near = depth < 0.4
+    np.testing.assert_array_equal(marred[~near], measured[~near])
+    stray = marred[near & np.isfinite(marred)]
+    assert 0.09 < len(stray) / near.sum() < 0.11 and stray.min() > 0.4 and stray.max() < 5.0 and np.ptp(stray) > 4.5
+    assert np.isfinite(with_strays(measured, depth, sensor, np.random.default_rng(2))).sum() > 0

@@ -10,7 +10,7 @@ import numpy as np
 
 from .gl import mujoco
 from .robot import CAMERA, GROUP
-from .sensor import Xtion, noisy, returned
+from .sensor import Xtion, noisy, returned, with_strays
 from .world import World
 
 if TYPE_CHECKING:
@@ -89,8 +89,12 @@ class Camera:
         return np.empty((self._frame.height, self._frame.width), np.float32)
 
     def _measured(self, window: NDArray[np.float32], random: np.random.Generator | None) -> NDArray[np.float32]:
-        depth = _metres(window, self._world.xtion)
-        return returned(depth if random is None else noisy(depth, random), self._world.xtion)
+        xtion = self._world.xtion
+        depth = _metres(window, xtion)
+        if random is None:
+            return returned(depth, xtion)
+        measured = returned(noisy(depth, random), xtion)
+        return with_strays(measured, depth, xtion, random) if xtion.stray else measured
 
 
 def _scene(model: mujoco.MjModel) -> mujoco.MjvScene:

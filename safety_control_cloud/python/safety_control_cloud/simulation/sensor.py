@@ -30,6 +30,7 @@ class Xtion:
     horizontal_view: float = radians(60)
     nearest: float = 0.4  # [m] along z: nothing is returned at or below
     farthest: float = 5.0  # [m] along z: nothing is returned at or beyond
+    stray: float = 0.0  # share of what is too near that returns any depth, as a stereo camera's does
     clip: tuple[float, float] = (0.05, 60.0)  # [m] along z: what is drawn; colour reaches farther than depth
     mount: tuple[float, float, float] = (-0.087, 0.0475, 0.2972)  # [m] the depth frame in base_footprint
 
@@ -76,6 +77,17 @@ def returned(depth: NDArray[np.float32], xtion: Xtion) -> NDArray[np.float32]:
     """The depth [m] where the sensor returns one, NaN elsewhere."""
     seen = (depth > xtion.nearest) & (depth < xtion.farthest)
     return np.where(seen, depth, np.float32(np.nan))
+
+
+def with_strays(
+    measured: NDArray[np.float32], depth: NDArray[np.float32], xtion: Xtion, random: np.random.Generator
+) -> NDArray[np.float32]:
+    """What was `measured` [m] of a true `depth` [m], with returns somewhere in the range, evenly, from what is too near."""
+    (near,) = np.nonzero(depth.ravel() <= xtion.nearest)
+    stray = near[random.random(near.shape, dtype=np.float32) < xtion.stray]
+    marred = measured.copy()
+    marred.ravel()[stray] = random.uniform(xtion.nearest, xtion.farthest, stray.shape).astype(np.float32)
+    return marred
 
 
 def points(depth: NDArray[np.float32], xtion: Xtion) -> NDArray[np.float32]:

@@ -35,6 +35,7 @@ class Scenario:
     transport: float = 0.05  # [s] from a picture to the cloud's arrival: one sensor period
     processing: float = 0.01  # [s] from there to the command's arrival at the multiplexer
     faults: CameraFaults = CameraFaults()
+    stray: float = 0.0  # share of the pixels too near for the camera that return any depth
     turns: tuple[Turn, ...] = ()
     settings: tuple[tuple[str, float], ...] = ()  # of the node, other than its defaults
     limit: str = ""  # why one forward depth camera cannot do it, if so

@@ -2,6 +2,7 @@
 """A scenario set up: its world, its robot, its camera, and the truth about the corridor."""
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -34,7 +35,7 @@ class Stage:
 
     def __init__(self, scenario: Scenario) -> None:
         self._scenario = scenario
-        self._world = World.from_xml(_mjcf(scenario), XTION)
+        self._world = World.from_xml(_mjcf(scenario), replace(XTION, stray=scenario.stray))
         model = self._world.model
         self._geoms = {thing.name: model.geom(thing.name).id for thing in scenario.things}
         self._mocaps = [(thing, model.body(thing.name).mocapid[0]) for thing in scenario.things if thing.path]

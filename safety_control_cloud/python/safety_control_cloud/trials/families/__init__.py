@@ -21,5 +21,10 @@ def scenario_of(family: str, seed: int) -> Scenario:
     draw = Draw(random_of(family, seed))
     draft = FAMILIES[family](draw)
     parts = {name: value for name, value in vars(draft).items() if value is not None}
-    drawn = Scenario(family, seed, processing=draw.between(0.005, 0.03), **parts)
+    drawn = Scenario(family, seed, processing=draw.between(0.005, 0.03), stray=_stray(family, seed), **parts)
     return replace(drawn, facts=draw.facts)
+
+
+def _stray(family: str, seed: int) -> float:
+    """From one in a thousand, as often as one in ten."""
+    return float(10 ** random_of(family, seed, purpose=3).uniform(-3.0, -1.0))
