@@ -17,6 +17,8 @@ struct Decision {
   Cause cause = Cause::NoCloud;
   std::string reason;               ///< the cause in words, with its figures
   std::optional<Obstacle> nearest;  ///< what the zone was decided by; x and y are NaN if only its distance is known
+  std::optional<double> stuck_since;  ///< [s] steady, while it stands for what nobody sees any more
+  std::string hint;                   ///< what would free it then
   Sight sight;                      ///< all zero if the cloud could not be looked at
 };
 

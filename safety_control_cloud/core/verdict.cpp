@@ -27,6 +27,8 @@ Decision by_loss(const Sight& sight, const Loss& loss, Zone zone) {
   decision.cause = loss.cause;
   decision.reason = loss.reason;
   decision.nearest = loss.obstacle;
+  decision.stuck_since = loss.since;
+  decision.hint = loss.hint;
   decision.sight = sight;
   return decision;
 }

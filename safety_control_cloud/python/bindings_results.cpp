@@ -55,6 +55,8 @@ void bind_results(py::module& module) {
       .def_readonly("speed", &core::Decision::speed)
       .def_readonly("cause", &core::Decision::cause)
       .def_readonly("reason", &core::Decision::reason)
+      .def_readonly("stuck_since", &core::Decision::stuck_since)
+      .def_readonly("hint", &core::Decision::hint)
       .def_readonly("nearest", &core::Decision::nearest)
       .def_readonly("sight", &core::Decision::sight);
 }

@@ -45,12 +45,14 @@ def killed_and_started_again(robot):
 def test_a_node_that_is_killed_while_something_is_lost_stands_until_it_is_seen_to_have_gone(master):
     with robot_that_lost_a_board() as robot, killed_and_started_again(robot):
         state = robot.states.until(lambda state: "as before this start" in state.reason)
-        assert (state.cause_text, state.speed) == ("NEAR_LOSS", 0.0)
+        assert (state.cause_text, state.speed) == ("NEAR_LOSS", 0.0) and "~reset" in state.hint
         robot.camera.changes()
-        robot.stops("NEAR_LOSS")
+        since = robot.stops("NEAR_LOSS").stuck_since.to_sec()
+        assert 0.0 < since <= rospy.get_time()
         assert 0.2 not in {command.linear.x for command in robot.commands.all()[-20:]}
         robot.camera.show(FREE)
         robot.drives()
+        assert (robot.states.all()[-1].stuck_since.to_sec(), robot.states.all()[-1].hint) == (0.0, "")
         eventually(lambda: not any(rospy.get_param(NODE + "/lost/things")))
         robot.camera.changes()
 

@@ -24,7 +24,7 @@ constexpr double watched = 1.6;
 constexpr double write_period = 0.25;  // [s]
 
 constexpr const char* what_frees =
-    "the camera sees what is behind it, or the near floor on which it stood; or ~reset, when somebody has looked";
+    "the camera sees what is behind it, or the near floor on which it stood, or after ~reset, when somebody has looked";
 
 /// Of a picture, fewer pixels are noise; a cloud of few points has no others.
 constexpr std::size_t least_pixels = 4;
@@ -83,7 +83,7 @@ std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const 
   }
   loss->since = lost_since_;
   loss->hint = loss->cause == Cause::LowObstacle
-                   ? "the floor before it is seen again; or ~reset, when somebody has looked"
+                   ? "the floor before it is seen again, or after ~reset, when somebody has looked"
                    : what_frees;
   return loss;
 }

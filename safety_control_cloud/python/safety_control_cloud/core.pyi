@@ -176,6 +176,8 @@ class Decision:
     speed: float  # [m/s] forward
     cause: Cause
     reason: str  # the cause in words, with its figures
+    stuck_since: Optional[float]  # [s] of `now`, while it stands for what nobody sees any more
+    hint: str  # what would free it then
     nearest: Optional[Obstacle]  # what the zone was decided by
     sight: Sight
 

@@ -69,6 +69,10 @@ void Diagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   status.add("cause", name_of(decision_.cause));
   status.add("speed [m/s]", decision_.speed);
   status.add("nearest [m]", decision_.nearest ? decision_.nearest->distance() : std::nan(""));
+  if (decision_.stuck_since) {
+    status.add("stuck for [s]", ros::SteadyTime::now().toSec() - *decision_.stuck_since);
+    status.add("freed by", decision_.hint);
+  }
   status.add("share of returns", share_of_returns(decision_.sight));
   status.add("input rate [Hz]", 1.0 / periods_.quantile(0.5));
   status.add("age of the last cloud [s]",

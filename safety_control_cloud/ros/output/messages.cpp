@@ -41,6 +41,7 @@ SafetyState to_state(const Decision& decision, const Settings& settings, const s
   state.cause = static_cast<std::uint8_t>(decision.cause);
   state.cause_text = name_of(decision.cause);
   state.reason = decision.reason;
+  state.hint = decision.hint;
   state.nearest = nearest_in(decision);
   state.nearest_point = nearest_point_in(decision, frame);
   state.nearest_frame = frame.id();

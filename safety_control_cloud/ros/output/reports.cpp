@@ -2,7 +2,9 @@
 #include "reports.hpp"
 
 #include <boost/make_shared.hpp>
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "../../core/text/words.hpp"
 #include "markers.hpp"
@@ -16,6 +18,13 @@ constexpr double markers_period = 0.1;  ///< [s] rviz needs no more
 constexpr double recording_age = 60.0;  ///< [s] an older stamp is a recording's, not a slow camera's
 
 double seconds_since(const ros::SteadyTime& then) { return (ros::SteadyTime::now() - then).toSec(); }
+
+/// The same moment by ROS time, which may be younger than that.
+ros::Time ros_time_of(const std::optional<double>& steady) {
+  if (!steady) return {};
+  const double then = ros::Time::now().toSec() - (ros::SteadyTime::now().toSec() - *steady);
+  return ros::Time(std::max(then, 0.0));
+}
 
 /// What to do about a stamp that is far from now, if that is plain.
 const char* advice_for(const Decision& decision, const std_msgs::Header& cloud) {
@@ -34,6 +43,7 @@ Reports::Reports(ros::NodeHandle& private_handle, Log& log)
 void Reports::say(const Decision& decision, const Settings& settings, const std_msgs::Header& cloud) {
   const auto state = boost::make_shared<SafetyState>(to_state(decision, settings, cloud));
   state->resets = resets_;
+  state->stuck_since = ros_time_of(decision.stuck_since);
   state_.publish(state);  // as a pointer, it wakes roscpp's thread only if somebody listens
   say_markers(decision, settings, cloud);
   say_in_log(decision, cloud);
@@ -54,7 +64,8 @@ void Reports::say_in_log(const Decision& decision, const std_msgs::Header& cloud
   if (decision.cause == Cause::Seen) {
     log_.info(zone);
   } else {
-    log_.warn(words(zone, ": ", name_of(decision.cause), ", ", decision.reason, advice_for(decision, cloud)));
+    const std::string hint = decision.hint.empty() ? "" : "; it drives again when " + decision.hint;
+    log_.warn(words(zone, ": ", name_of(decision.cause), ", ", decision.reason, hint, advice_for(decision, cloud)));
   }
   logged_ = decision;
   last_log_ = ros::SteadyTime::now();
