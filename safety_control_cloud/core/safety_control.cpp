@@ -45,8 +45,12 @@ std::vector<std::string> SafetyControl::remembered() const {
   return all;
 }
 
-void SafetyControl::recall(const std::vector<std::string>& remembered) {
-  for (std::size_t i = 0; i < std::min(sensors_.size(), remembered.size()); ++i) sensors_[i].recall(remembered[i]);
+bool SafetyControl::recall(const std::vector<std::string>& remembered) {
+  bool legible = remembered.size() == sensors_.size();
+  for (std::size_t i = 0; i < std::min(sensors_.size(), remembered.size()); ++i) {
+    legible = sensors_[i].recall(remembered[i]) && legible;
+  }
+  return legible;
 }
 
 Decision SafetyControl::decide(const Reading& reading, const Origin& origin, const Instant& now, Crop crop) {

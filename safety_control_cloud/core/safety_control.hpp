@@ -39,8 +39,8 @@ class SafetyControl {
   /// What each sensor has near or lost, to outlive the process; empty text where nothing is.
   std::vector<std::string> remembered() const;
 
-  /// Goes on with what another process remembered.
-  void recall(const std::vector<std::string>& remembered);
+  /// Goes on with what another process remembered; false if it is not legible.
+  bool recall(const std::vector<std::string>& remembered);
 
   const Settings& settings() const { return settings_; }
 

@@ -73,7 +73,10 @@ class Sensor {
   std::string remembered() const { return near_loss_.serialised(); }
 
   /// Goes on with what another process remembered. Text that makes no sense changes nothing.
-  void recall(const std::string& remembered) { recalled_ = near_loss_.restore(remembered); }
+  bool recall(const std::string& remembered) {
+    if (remembered.empty()) return true;
+    return recalled_ = near_loss_.restore(remembered);
+  }
 
  private:
   Answer answer_to(const Reading& reading, const Origin& origin, const Instant& now, Crop crop);

@@ -41,13 +41,13 @@ SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, D
       reset_(private_handle.advertiseService("reset", &SafetyNode::on_reset, this)),
       reconfigure_(private_handle, control_, log_),
       diagnostics_(handle, private_handle) {
-  if (keepsake_.found()) control_.recall(*keepsake_.found());
+  const bool recalled = keepsake_.found() && control_.recall(*keepsake_.found());
   const std::string& target_frame = control_.settings().target_frame;
   if (!target_frame.empty()) camera_place_ = std::make_unique<CameraPlace>(target_frame);
   constexpr bool once = true, not_yet = false;
   const auto wake = [this](const ros::SteadyTimerEvent&) { on_quiet(); };
   quiet_ = handle.createSteadyTimer(ros::WallDuration(1.0), wake, once, not_yet);
-  if (!keepsake_.found()) log_.warn(nothing_known);
+  if (!recalled) log_.warn(nothing_known);
   on_quiet();
   input_ = input_of(
       control_.settings().input, handle, private_handle, delivery,

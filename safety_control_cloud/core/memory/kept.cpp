@@ -16,7 +16,7 @@ constexpr std::size_t most_pixels = 65535;
 std::vector<Spot> some_of(const Remembered& thing) {
   std::vector<Spot> all = thing.lost, some;
   all.insert(all.end(), thing.seen.spots.begin(), thing.seen.spots.end());
-  const std::size_t step = 1 + all.size() / (most_spots + 1);
+  const std::size_t step = std::max<std::size_t>(1, (all.size() + most_spots - 1) / most_spots);
   for (std::size_t i = 0; i < all.size(); i += step) some.push_back(all[i]);
   const double share = size_of(all) / static_cast<double>(some.size());
   for (Spot& spot : some) spot.share = static_cast<float>(share);

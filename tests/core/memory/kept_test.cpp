@@ -44,6 +44,18 @@ TEST(Kept, WhatIsLostOutlivesTheProcess) {
   EXPECT_FALSE(judged(reborn, Scene({wall}))) << "it has been taken away";
 }
 
+TEST(Kept, WhateverItsSizeItCanBeReadAgain) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> nearness(0.41f, 0.7f), across(-0.3f, 0.3f), down(-0.2f, 0.15f);
+  for (int i = 0; i < 300; ++i) {
+    const auto [left, right] = std::minmax({across(random), across(random)});
+    const auto [top, bottom] = std::minmax({down(random), down(random)});
+    NearLoss memory{NearLossLimits{}}, reborn{NearLossLimits{}};
+    judged(memory, Scene({{nearness(random), left, right, top, bottom}}));
+    EXPECT_TRUE(memory.serialised().empty() || reborn.restore(memory.serialised())) << i;
+  }
+}
+
 TEST(Kept, KerbThatHidTheFloorOutlivesTheProcess) {
   NearLoss memory{NearLossLimits{}}, reborn{NearLossLimits{}};
   for (const float z : {0.74f, 0.70f, 0.62f}) judged(memory, Scene({{z, -0.2f, 0.2f, floor_y - 0.05f, floor_y}}));
