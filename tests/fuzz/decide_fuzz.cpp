@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// libFuzzer: whatever a camera, a clock and a parameter server may send, in any order. Both methods must decide the
-// same, and nothing but sight may move the robot.
+// libFuzzer: whatever a camera, a clock and a parameter server may send, in any order, with restarts. Both methods must
+// decide the same, of clouds and of depth images; nothing but sight may move the robot, and what was near and is not
+// seen to go is not forgotten.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <optional>
+#include <vector>
 
 #include "../../safety_control_cloud/core/safety_control.hpp"
 #include "../../safety_control_cloud/core/speed/speed.hpp"
 #include "scenario.hpp"
+#include "shown.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -60,25 +65,52 @@ float depth_of(std::uint8_t pixel) {
   return pixel < std::size(special) ? special[pixel] : static_cast<float>(pixel) * 0.02f;
 }
 
-/// A picture as a cloud: a camera 60 degrees wide.
-Layout layout_of(Step& step, std::vector<std::uint8_t>& bytes) {
+Depths depths_of(const Step& step) {
+  Depths picture{step.width % 64u, step.height % 64u, {}};
+  for (std::size_t i = 0; i < picture.width * picture.height; ++i) {
+    picture.z.push_back(depth_of(i < step.bytes.size() ? step.bytes[i] : 0));
+  }
+  return picture;
+}
+
+/// By a camera 60 degrees wide.
+DepthView image_of(const Depths& picture) {
+  DepthView image;
+  image.bytes = reinterpret_cast<const std::uint8_t*>(picture.z.data());
+  image.width = picture.width, image.height = picture.height;
+  image.row_step = picture.width * sizeof(float);
+  const double across = static_cast<double>(picture.width) / 2.0, down = static_cast<double>(picture.height) / 2.0;
+  image.camera = {std::max(across, 1.0) / 0.577, std::max(down, 1.0) / 0.433, across, down};
+  return image;
+}
+
+/// The points of such an image. In a cloud, -Inf is a point too close; an image here does not say so.
+std::vector<float> points_of(const Depths& picture) {
+  const Rays rays(image_of(picture));
+  std::vector<float> points;
+  for (std::size_t i = 0; i < picture.z.size(); ++i) {
+    const float z = picture.z[i];
+    const auto u = static_cast<float>(i % picture.width), v = static_cast<float>(i / picture.width);
+    const float x = (u - rays.cx) * z * rays.x_scale, y = (v - rays.cy) * z * rays.y_scale;
+    if (z == inf)
+      points.insert(points.end(), {nan, nan, nan});
+    else
+      points.insert(points.end(), {x, y, z * rays.z_scale});
+  }
+  return points;
+}
+
+CloudView cloud_of(const std::vector<float>& points, const Depths& picture) {
   Layout layout;
-  layout.width = step.width % 64;
-  layout.height = step.height % 64;
+  layout.width = static_cast<std::uint32_t>(picture.width), layout.height = static_cast<std::uint32_t>(picture.height);
   layout.fields = {{"x", 0, Field::FLOAT32, 1}, {"y", 4, Field::FLOAT32, 1}, {"z", 8, Field::FLOAT32, 1}};
   layout.point_step = 12;
   layout.row_step = layout.width * 12;
-  std::vector<float> points;
-  for (std::size_t i = 0; i < std::size_t{layout.width} * layout.height; ++i) {
-    const float z = depth_of(i < step.bytes.size() ? step.bytes[i] : 0);
-    const float column = static_cast<float>(i % layout.width), row = static_cast<float>(i / layout.width);
-    const float across = static_cast<float>(layout.width) / 2.0f, down = static_cast<float>(layout.height) / 2.0f;
-    points.insert(points.end(), {z * 0.577f * (column - across) / across, z * 0.433f * (row - down) / down, z});
-  }
-  const auto* from = reinterpret_cast<const std::uint8_t*>(points.data());
-  bytes.assign(from, from + points.size() * sizeof(float));
-  return layout;
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(points.data());
+  return std::get<CloudView>(view_of(layout, bytes, points.size() * sizeof(float)));
 }
+
+bool is_minus_inf(float z) { return z == -inf; }
 
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
@@ -100,32 +132,45 @@ void require_same(const Decision& a, const Decision& b) {
   require(a.sight.nearest_in_rows == b.sight.nearest_in_rows, "both methods see the same nearest in each row");
 }
 
+bool has_looked(const Decision& decision) {
+  const auto causes_of_sight = {Cause::Seen, Cause::NearLoss, Cause::LowObstacle};
+  return std::find(causes_of_sight.begin(), causes_of_sight.end(), decision.cause) != causes_of_sight.end();
+}
+
 void require_safe(const Decision& decision, const Settings& settings) {
   require(decision.speed == speed_for(decision.zone, settings.speeds), "the speed is the zone's");
-  const auto causes_of_sight = {Cause::Seen, Cause::NearLoss, Cause::LowObstacle};
-  const bool has_looked =
-      std::find(causes_of_sight.begin(), causes_of_sight.end(), decision.cause) != causes_of_sight.end();
-  require(has_looked || (decision.speed == 0.0 && decision.zone == Zone::Danger), "in doubt the robot stands");
+  require(has_looked(decision) || (decision.speed == 0.0 && decision.zone == Zone::Danger),
+          "in doubt the robot stands");
   require(!decision.reason.empty(), "every decision has a reason");
-  if (!has_looked || !decision.nearest) return;
+  if (!has_looked(decision) || !decision.nearest) return;
   require(decision.zone <= zone_at(decision.nearest->distance(), settings.limits),
           "no zone is better than its obstacle");
   if (decision.sight.crop) require(decision.sight.crop->size() == decision.sight.inside, "the crop is what is inside");
 }
 
-/// One node for each method, in the same world.
+/// Whether something near that is not seen any more keeps the robot where it is under these settings.
+bool keeps(const Settings& settings) {
+  return settings.near_loss.distance >= 0.75 && settings.near_loss.timeout == 0.0 && settings.target_frame.empty();
+}
+
+/// One node for each method, and one that is given depth images where the others are given clouds, in the same world.
 class World {
  public:
   explicit World(const Choice& choice)
-      : one_pass_(settings_of(choice, Method::OnePass)), pcl_(settings_of(choice, Method::Pcl)) {}
+      : one_pass_(settings_of(choice, Method::OnePass)),
+        pcl_(settings_of(choice, Method::Pcl)),
+        by_depth_(settings_of(choice, Method::OnePass)) {}
 
   void go_on(Step& step) {
     now_.steady += step.elapsed / 1000.0;
     now_.ros += step.ros_elapsed / 1000.0;
     if (step.event == Event::Forget) return forget();
     if (step.event == Event::Settings) return take(step.choice);
-    if (step.event == Event::Quiet) return check(one_pass_.without_cloud(now_), pcl_.without_cloud(now_));
-    see(step);
+    if (step.event == Event::Quiet) return wait();
+    if (step.event == Event::Restart) return restart();
+    if (step.event == Event::Outside) return note_outside(step);
+    if (step.event == Event::Picture) return see(depths_of(step), step);
+    see(view_of(step.claims, step.bytes.data(), step.bytes.size()), step);
   }
 
   void end_in_silence() {
@@ -136,30 +181,70 @@ class World {
 
  private:
   void forget() {
-    one_pass_.forget_losses();
-    pcl_.forget_losses();
+    for (SafetyControl* each : all()) each->forget_losses();
+    shown_.forget();
   }
 
   void take(const Choice& choice) {
     one_pass_.adopt(settings_of(choice, Method::OnePass));
     pcl_.adopt(settings_of(choice, Method::Pcl));
+    by_depth_.adopt(settings_of(choice, Method::OnePass));
+    if (!keeps(one_pass_.settings())) shown_.forget();
   }
 
-  void see(Step& step) {
-    std::vector<std::uint8_t> bytes = step.bytes;
-    const Layout layout = step.event == Event::Picture ? layout_of(step, bytes) : step.claims;
-    const Reading reading = view_of(layout, bytes.data(), bytes.size());
-    const Origin origin{now_.ros - step.stamp_age / 1000.0, placing_of(step.placing, one_pass_.settings())};
+  /// kill -9, and a new process with what the old one wrote down.
+  void restart() {
+    for (SafetyControl* each : all()) {
+      SafetyControl another(each->settings());
+      another.recall(each->remembered());
+      *each = std::move(another);
+    }
+  }
+
+  void note_outside(const Step& step) {
+    std::optional<Doubt> doubt;
+    if (step.source % 2 == 1) doubt = Doubt{Cause::TwoCommanders, "somebody commands"};
+    for (SafetyControl* each : all()) each->note_outside(doubt);
+  }
+
+  void wait() {
+    const Decision decision = one_pass_.without_cloud(now_);
+    require_same(decision, pcl_.without_cloud(now_));
+    require_same(decision, by_depth_.without_cloud(now_));
+    require_safe(decision, one_pass_.settings());
+  }
+
+  void see(const Depths& picture, const Step& step) {
+    const std::vector<float> points = points_of(picture);
+    const CloudView cloud = cloud_of(points, picture);
+    const bool says_too_close = std::any_of(picture.z.begin(), picture.z.end(), is_minus_inf);
+    const bool must_stand = shown_.stands_for(picture);
+    const Decision decision = see(cloud, says_too_close ? Reading(cloud) : Reading(image_of(picture)), step);
+    require(!must_stand || decision.speed == 0.0, "what was near and was not seen to go is not forgotten");
+    if (step.placing % 8 == 7 || !keeps(one_pass_.settings())) return shown_.forget();
+    if (has_looked(decision)) shown_.note(picture);
+  }
+
+  void see(const Reading& cloud, const Step& step) {
+    see(cloud, cloud, step);
+    shown_.forget();
+  }
+
+  Decision see(const Reading& cloud, const Reading& depth, const Step& step) {
+    const Origin origin{now_.ros - step.stamp_age / 1000.0, placing_of(step.placing, one_pass_.settings()),
+                        one_of<const char*>({"camera", "camera", "", "another"}, step.source), "frame"};
     const Crop crop = step.crop % 2 ? Crop::Keep : Crop::Skip;
-    check(one_pass_.decide(reading, origin, now_, crop), pcl_.decide(reading, origin, now_, crop));
+    const Decision decision = one_pass_.decide(cloud, origin, now_, crop);
+    require_same(decision, pcl_.decide(cloud, origin, now_, crop));
+    require_same(decision, by_depth_.decide(depth, origin, now_, crop));
+    require_safe(decision, one_pass_.settings());
+    return decision;
   }
 
-  void check(const Decision& by_one_pass, const Decision& by_pcl) {
-    require_same(by_one_pass, by_pcl);
-    require_safe(by_one_pass, one_pass_.settings());
-  }
+  std::array<SafetyControl*, 3> all() { return {&one_pass_, &pcl_, &by_depth_}; }
 
-  SafetyControl one_pass_, pcl_;
+  SafetyControl one_pass_, pcl_, by_depth_;
+  Shown shown_;
   Instant now_{100.0, 1000.0};
 };
 

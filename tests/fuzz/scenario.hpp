@@ -63,7 +63,7 @@ struct Choice {
   std::uint8_t near_loss_distance = 0, near_loss_timeout = 0, frozen_clouds = 0, range_min = 0, target_frame = 0;
 };
 
-enum class Event : std::uint8_t { Picture, Claims, Quiet, Forget, Settings };
+enum class Event : std::uint8_t { Picture, Claims, Quiet, Forget, Settings, Restart, Outside };
 
 /// One thing that happens to the node.
 struct Step {
@@ -71,7 +71,7 @@ struct Step {
   std::uint16_t elapsed = 50;     ///< [ms] on the steady clock
   std::int16_t ros_elapsed = 50;  ///< [ms] in ROS time
   std::int16_t stamp_age = 0;     ///< [ms]
-  std::uint8_t crop = 0, placing = 0;
+  std::uint8_t crop = 0, placing = 0, source = 0;
 
   std::uint8_t width = 0, height = 0;  ///< of a picture: one byte a pixel in `bytes`, see depth_of()
   Layout claims;                       ///< of a cloud that may contradict its `bytes`
@@ -112,7 +112,7 @@ template <class Archive>
 void travel(Archive& archive, Step& step) {
   auto event = static_cast<std::uint8_t>(step.event);
   archive(event);
-  step.event = static_cast<Event>(event % 5);
+  step.event = static_cast<Event>(event % 7);
   archive(step.elapsed);
   archive(step.ros_elapsed);
   archive(step.stamp_age);
@@ -120,6 +120,7 @@ void travel(Archive& archive, Step& step) {
   if (step.event != Event::Picture && step.event != Event::Claims) return;
   archive(step.crop);
   archive(step.placing);
+  archive(step.source);
   if (step.event == Event::Claims) travel(archive, step.claims);
   if (step.event == Event::Picture) archive(step.width), archive(step.height);
   archive(step.bytes);

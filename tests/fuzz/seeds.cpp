@@ -40,6 +40,19 @@ Step picture(const Scene& scene) {
   return step;
 }
 
+/// A board that hangs in open space at `z` [m]; 0 is no return.
+Step lone(float z) {
+  Step step;
+  step.width = step.height = 40;
+  for (int row = 0; row < 40; ++row) {
+    for (int column = 0; column < 40; ++column) {
+      const bool on = row > 13 && row < 26 && column > 13 && column < 26;
+      step.bytes.push_back(on ? static_cast<std::uint8_t>(z * 50.0f) : std::uint8_t{150});
+    }
+  }
+  return step;
+}
+
 Step event(Event kind, std::uint16_t elapsed) {
   Step step;
   step.event = kind;
@@ -76,6 +89,15 @@ void write_all(const std::string& folder) {
   const Step kerb = picture(Scene({{0.72f, -0.2f, 0.2f, 0.22f, floor_y}})),
              nearer = picture(Scene({{0.64f, -0.2f, 0.2f, 0.22f, floor_y}}));
   write(folder + "/LowObstacle", defaults, {free, kerb, nearer, nearer, free});
+  write(folder + "/Restart", defaults,
+        {free, near, lost, event(Event::Restart, 0), lost, free, event(Event::Restart, 0)});
+  Step commander = event(Event::Outside, 10), nobody = commander;
+  commander.source = 1;
+  write(folder + "/Outside", defaults, {free, commander, free, nobody, free});
+  Step another = free;
+  another.source = 3;
+  write(folder + "/TwoSources", defaults, {free, another, free, another, free});
+  write(folder + "/Lone", defaults, {lone(0.5f), lone(0.0f), lone(0.0f), event(Event::Restart, 0), lone(0.0f)});
   write(folder + "/NearLossForgotten", defaults, {near, lost, event(Event::Forget, 0), lost});
   Choice frozen;
   frozen.frozen_clouds = 1;
