@@ -19,9 +19,11 @@ bool same_corridor(const LookSettings& a, const LookSettings& b) {
 }
 
 Picture picture_of(const Sight& sight, const Origin& origin) {
-  const double share = sight.total == 0 ? 0.0 : static_cast<double>(sight.returns) / static_cast<double>(sight.total);
+  const auto share_of = [&](std::size_t some) {
+    return sight.total == 0 ? 0.0 : static_cast<double>(some) / static_cast<double>(sight.total);
+  };
   const auto nearest = sight.nearest ? std::optional<double>(sight.nearest->distance()) : std::nullopt;
-  return Picture{origin.stamp, origin.frame, share, nearest};
+  return Picture{origin.stamp, origin.frame, share_of(sight.returns), nearest, share_of(sight.inside)};
 }
 
 Returned returned_in(const View& view, const Sight& counted) {

@@ -14,6 +14,7 @@ constexpr std::ptrdiff_t of_each =
     5;  ///< pictures of either camera among them: a few false points may resemble each other
 
 constexpr double same_share = 0.02;      ///< of returns: no more than noise
+constexpr double same_inside = 0.005;    ///< of all points
 constexpr double same_nearest = 0.05;    ///< [m] no more than noise and what a robot drives in as many pictures
 constexpr double nothing_nearest = 1e9;  ///< [m]
 
@@ -51,11 +52,13 @@ std::size_t changes_of(const std::function<double(const Picture&)>& value, doubl
 }
 
 double returns_in(const Picture& picture) { return picture.returns; }
+double inside_in(const Picture& picture) { return picture.inside; }
 double nearest_in(const Picture& picture) { return picture.nearest.value_or(nothing_nearest); }
 
 bool are_of_two(const Pictures& pictures) {
   return changes_of_frame(pictures) >= many || steps_back(pictures) >= many ||
-         changes_of(returns_in, same_share, pictures) >= many || changes_of(nearest_in, same_nearest, pictures) >= many;
+         changes_of(returns_in, same_share, pictures) >= many || changes_of(inside_in, same_inside, pictures) >= many ||
+         changes_of(nearest_in, same_nearest, pictures) == looked_at - 1;
 }
 
 }  // namespace

@@ -15,11 +15,13 @@ struct Picture {
   std::string frame = {};           ///< of its header
   double returns = 0.0;             ///< their share of all points
   std::optional<double> nearest{};  ///< [m]
+  double inside = 0.0;              ///< the corridor, as a share of all points
 };
 
 /// Knows when the pictures of two cameras come in turn, though one publisher sends them: two drivers in one process
 /// share its name and its connection. One camera's picture resembles the one before it; those of two go to and fro
-/// between two frames, two contents, or stamps that run backwards.
+/// between two frames, two contents, or stamps that run backwards. The nearest point alone may be one pixel that
+/// flickers.
 class TurnsWatch {
  public:
   /// A picture has come at `now` [s, steady]: a doubt if the latest went to and fro, and for `timeout` [s]

@@ -43,7 +43,8 @@ TEST(Turns, TwoCamerasThatShareAConnectionAreToldByWhatTheySeeInWhateverOrderThe
     Camera by_nearest, by_returns;
     bool nearest = false, returns = false;
     for (const char* one = order; *one; ++one) {
-      nearest = by_nearest.sends({0.0, "camera", 0.5, *one == 'A' ? std::nullopt : std::optional(0.45)});
+      nearest = *one == 'A' ? by_nearest.sends({0.0, "camera", 0.5, std::nullopt, 0.0})
+                            : by_nearest.sends({0.0, "camera", 0.5, 0.45, 0.1});
       returns = by_returns.sends({0.0, "camera", *one == 'A' ? 0.5 : 0.7, 2.0});
     }
     EXPECT_TRUE(nearest) << order;
@@ -69,6 +70,29 @@ TEST(Turns, FalsePointsThatComeAndGoAreOneCameras) {
         camera.sends({0.0, "camera", 0.5 + noise(random), speckle ? std::optional(distance(random)) : std::nullopt}))
         << i;
   }
+}
+
+TEST(Turns, PixelThatFlickersIsOneCameras) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> chance(0.0, 1.0);
+  for (const double share : {0.1, 0.3, 0.5, 0.7}) {
+    for (const std::optional<double> wall : {std::optional<double>(), std::optional(3.0)}) {
+      Camera camera;
+      int doubted = 0;
+      for (int i = 0; i < 3000; ++i) {
+        const bool shown = chance(random) < share;
+        doubted += camera.sends({0.0, "camera", 0.5, shown ? std::optional(1.6) : wall, shown ? 5e-5 : 0.0});
+      }
+      EXPECT_LT(doubted, 60) << share;
+    }
+  }
+}
+
+TEST(Turns, TwoCamerasThatDifferInTheirNearestAloneAreToldWhileTheyTakeTurns) {
+  Camera camera;
+  bool doubted = false;
+  for (int i = 0; i < 16; ++i) doubted = camera.sends({0.0, "camera", 0.5, i % 2 == 0 ? 0.45 : 2.0, 0.1});
+  EXPECT_TRUE(doubted);
 }
 
 TEST(Turns, WhatMovesBeforeOneCameraIsOneCameras) {
