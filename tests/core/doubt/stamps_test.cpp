@@ -47,6 +47,26 @@ TEST(Stamps, CloudThatComesLaterThanOthersByMoreThanTheTimeoutIsNoReasonToDrive)
   }
 }
 
+TEST(Stamps, OneWrongStampIsNoReasonToStandForEver) {
+  for (const double ahead : {0.55, 0.8, 0.95}) {
+    Stamped camera;
+    camera.after(2.0, 0.03);
+    EXPECT_EQ(camera.cause_at(-ahead), Cause::Future) << ahead;
+    EXPECT_EQ(camera.cause_at(0.03), Cause::Seen) << ahead;
+    Stamped at_first;
+    at_first.cause_at(-ahead);
+    EXPECT_EQ(at_first.after(0.2, 0.03), Cause::Seen) << ahead;
+  }
+}
+
+TEST(Stamps, CameraWhoseClockIsSetForwardIsBelievedAfterASecond) {
+  Stamped camera;
+  camera.after(2.0, 0.03);
+  EXPECT_EQ(camera.after(0.9, -0.7), Cause::Future);
+  EXPECT_EQ(camera.after(0.3, -0.7), Cause::Seen);
+  EXPECT_EQ(camera.cause_at(0.03), Cause::Stale);
+}
+
 TEST(Stamps, TimeoutSaysHowOldACloudMayBe) {
   Stamped camera;
   camera.settings.source_timeout = 0.2;
