@@ -12,9 +12,6 @@ namespace {
 constexpr double growth = 0.25;
 /// Ranges that agree differ by at most this share.
 constexpr float agreement = 0.1f;
-/// With as many of the 3 x 3 pixels a spot's surroundings were seen, so that a hole in them means something.
-constexpr int dense = 6;
-
 /// Of the 3 x 3 pixels around a spot.
 struct Around {
   std::array<float, 9> behind{};  ///< their distances [m]
@@ -56,6 +53,15 @@ bool hole_on_the_way(const Spot& spot, const Pixels& picture) {
 }
 
 }  // namespace
+
+bool is_hole(const Spot& spot, const Pixels& picture) {
+  return is_hole(picture, static_cast<std::ptrdiff_t>(spot.row), static_cast<std::ptrdiff_t>(spot.column));
+}
+
+bool leaves_at_the_top(const Spot& spot, const Pixels& picture) {
+  const double middle = 0.5 * static_cast<double>(picture.height());
+  return (1.0 + growth) * (middle - spot.row) > middle;
+}
 
 Evidence evidence_of(const Spot& spot, const Pixels& picture) {
   const float then = spot.point.z, noise = noise_at(then);

@@ -19,6 +19,15 @@ enum class Evidence : std::uint8_t {
 /// come too near to return lies farther from the middle of the picture than it did: no hole may be seen on that way.
 Evidence evidence_of(const Spot& spot, const Pixels& picture);
 
+/// With as many of the 3 x 3 pixels a spot's surroundings were seen, so that a hole in them means something.
+constexpr int dense = 6;
+
+/// Whether nothing returns at the spot, nor on two sides of it.
+bool is_hole(const Spot& spot, const Pixels& picture);
+
+/// Whether the spot lies so near the picture's upper border that what comes nearer leaves the picture there.
+bool leaves_at_the_top(const Spot& spot, const Pixels& picture);
+
 /// Where a thing at this distance [m] may be seen, by the noise of the sensor and the step of a cloud.
 inline float noise_at(float distance) { return std::max(0.03f, 0.05f * distance); }
 

@@ -2,6 +2,7 @@
 #include "near_loss.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "../look/look.hpp"
@@ -36,6 +37,18 @@ bool is_picture(const View& view) {
   constexpr std::size_t most = std::numeric_limits<std::uint16_t>::max();
   const std::size_t width = width_of(view), height = height_of(view);
   return width >= 2 && height >= 2 && width <= most && height <= most;
+}
+
+/// That points do not part a thing which lie this many cells apart.
+int gap_of(float cells_apart) {
+  constexpr int least = 2, most = 12;
+  return std::clamp(static_cast<int>(std::ceil(1.5f * cells_apart)), least, most);
+}
+
+Axis axis_of(const Outlook& outlook) {
+  if (!outlook.placement) return {};
+  const auto& [x, y, z] = outlook.placement->rows;
+  return {{x[2], y[2], z[2]}, {x[0], y[0], z[0]}};
 }
 
 bool is_in_sight(const Loss& loss) { return loss.cause == Cause::LowObstacle && !loss.whole; }
@@ -111,7 +124,8 @@ std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight,
   const std::size_t least = std::min(least_pixels, 1 + raster_.filled() / pixels_of_few);
   const Sight in_raster = look(raster, outlook, Crop::Skip, Rows::Apart);
   const bool sparse = 10 * raster_.filled() > 7 * sight.returns;
-  remember({picture, outlook, in_raster.nearest_in_rows, watched_distance(), least, sparse});
+  remember({picture, outlook, in_raster.nearest_in_rows, watched_distance(), least,
+            gap_of(raster_.cells_apart(near_distance())), sparse});
   return lost(outlook);
 }
 
@@ -123,7 +137,7 @@ void NearLoss::remember(const NearSearch& search) {
     const std::size_t i = ground_.column_at(column);
     return !ground_.is_near(i) && floor_.is_seen_again(i);
   };
-  things_.update(std::move(things), search.picture, floor_again, near_distance());
+  things_.update(std::move(things), search.picture, floor_again, near_distance(), axis_of(search.outlook));
 }
 
 void NearLoss::write_down(bool lost, double now) {
@@ -182,8 +196,7 @@ std::optional<Loss> NearLoss::lost(const Outlook& outlook) const {
       distance = std::min(distance, double{place.z});
     }
     if (size == 0.0) continue;
-    const Loss loss{Cause::NearLoss, remembered_at(distance),
-                    2.0 * size > (thing.is_seen() ? thing.size : thing.seen.size),
+    const Loss loss{Cause::NearLoss, remembered_at(distance), !thing.is_seen() || 2.0 * size > thing.size,
                     "an obstacle has stopped returning and nothing is seen behind it"};
     nearest = nearer(nearest, loss);
   }

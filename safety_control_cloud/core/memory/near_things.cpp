@@ -12,10 +12,9 @@ namespace {
 
 /// A surface's range changes by less from one pixel to the next that is looked at, and that of another thing by more.
 constexpr float jump = 0.06f;  // [m]
-/// Pixels that return nothing, or are mixed of two ranges, do not part a thing: as many slots and lines.
-constexpr int gap = 2;
 /// The picture is asked about at most so many spots of a thing, or nearly so.
 constexpr std::size_t most_spots = 120;
+constexpr std::size_t few_pixels = 9;   // three by three
 constexpr float border = 0.03f;         // [m] within the corridor's sides
 constexpr double sparse_weight = 0.25;  // [m2] as of a pixel half a metre away
 
@@ -65,6 +64,7 @@ class Finding {
   void connect() {
     const auto& pixels = found_.pixels;
     left_.assign(pixels.size(), false), right_ = above_ = below_ = left_;
+    const auto gap = static_cast<std::size_t>(search_.gap);
     std::vector<std::vector<std::size_t>> lines(gap + 1, std::vector<std::size_t>(found_.slots, none));
     std::size_t line = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -72,13 +72,13 @@ class Finding {
         line = pixels[i].line;
         std::fill(lines[line % lines.size()].begin(), lines[line % lines.size()].end(), none);
       }
-      for (std::size_t j = i; j-- > 0 && pixels[j].line == line && pixels[i].slot - pixels[j].slot <= gap;) {
+      for (std::size_t j = i; j-- > 0 && pixels[j].line == line && pixels[i].slot - pixels[j].slot <= search_.gap;) {
         if (!try_join(i, j)) continue;
         left_[i] = right_[j] = true;
         break;
       }
       lines[line % lines.size()][pixels[i].slot] = i;
-      for (std::size_t up = 1; up <= std::min<std::size_t>(gap, line); ++up) {
+      for (std::size_t up = 1; up <= std::min(gap, line); ++up) {
         if (connect_up(i, lines[(line - up) % lines.size()], line - up)) break;
       }
     }
@@ -87,6 +87,7 @@ class Finding {
   /// Whether something in this line is the same thing.
   bool connect_up(std::size_t i, const std::vector<std::size_t>& line, std::size_t number) {
     const auto& pixel = found_.pixels[i];
+    const auto gap = static_cast<std::size_t>(search_.gap);
     if (found_.rows[pixel.line] - found_.rows[number] > gap * found_.row_step) return false;
     const std::size_t j = line[pixel.slot];
     if (j != none && try_join(i, j)) {
@@ -94,9 +95,12 @@ class Finding {
       return true;
     }
     const auto joins = [&](std::size_t slot) { return line[slot] != none && try_join(i, line[slot]); };
-    const bool left = pixel.slot > 0 && joins(pixel.slot - std::size_t{1});
-    const bool right = pixel.slot + std::size_t{1} < line.size() && joins(pixel.slot + std::size_t{1});
-    return left || right;
+    for (std::size_t aside = 1; aside < gap; ++aside) {
+      const bool left = pixel.slot >= aside && joins(pixel.slot - aside);
+      const bool right = pixel.slot + aside < line.size() && joins(pixel.slot + aside);
+      if (left || right) return true;
+    }
+    return false;
   }
 
   bool try_join(std::size_t i, std::size_t j) {
@@ -133,6 +137,7 @@ class Finding {
     std::vector<std::size_t> lowest(found_.slots, none);
     const std::size_t pixels_each = found_.row_step * found_.column_step;
     thing.pixels = some.size() * pixels_each;
+    thing.is_slight = search_.least_pixels > 1 && thing.pixels < few_pixels;
     for (const std::size_t i : some) {
       const NearPixel& pixel = found_.pixels[i];
       thing.nearest = std::min(thing.nearest, pixel.ahead);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bitset>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "../input/point_reader.hpp"
@@ -25,9 +26,9 @@ bool is_ahead(const Point& point) {
   return std::abs(point.x) < steepest * point.z && std::abs(point.y) < steepest * point.z;
 }
 
-/// How far points lie apart [slope]: their number over the part of the view that they fill.
-float spacing_of(const std::vector<Point>& points, const Grid& grid) {
-  constexpr std::size_t across = 64;
+/// How far points lie apart [slope]: their number over the part of the view that they fill, in boxes.
+template <std::size_t across>
+float spacing_in_boxes(const std::vector<Point>& points, const Grid& grid) {
   std::bitset<across * across> filled;
   const float wide = (grid.right - grid.left) / across, high = (grid.bottom - grid.top) / across;
   const auto index = [](float slope, float least, float step) {
@@ -38,6 +39,8 @@ float spacing_of(const std::vector<Point>& points, const Grid& grid) {
   }
   return std::sqrt(static_cast<float>(filled.count()) * wide * high / static_cast<float>(points.size()));
 }
+
+float spacing_of(const std::vector<Point>& points, const Grid& grid) { return spacing_in_boxes<64>(points, grid); }
 
 /// However far beside the grid.
 std::ptrdiff_t cell_at(float slope, float least, float cell) {
@@ -70,6 +73,14 @@ void Raster::fit(const std::vector<Point>& returns) {
   grid.width = 1 + static_cast<std::size_t>((grid.right - grid.left) / wanted);
   grid.height = 1 + static_cast<std::size_t>((grid.bottom - grid.top) / wanted);
   grid_ = grid;
+}
+
+float Raster::cells_apart(float distance) const {
+  constexpr std::size_t coarse = 8;  // boxes wider than a voxel filter's near points lie apart
+  std::vector<Point> near;
+  std::copy_if(returns_.begin(), returns_.end(), std::back_inserter(near),
+               [distance](const Point& point) { return point.z < distance; });
+  return near.empty() ? 0.0f : spacing_in_boxes<coarse>(near, grid_) / grid_.cell;
 }
 
 View Raster::picture_of(const View& points, const Corridor& corridor) {

@@ -34,6 +34,7 @@ struct Thing {
   std::size_t pixels = 0;  ///< that it takes
   float nearest = 0.0f;    ///< [m] ahead of the camera
   bool stands = false;     ///< on the near floor, in most of its columns
+  bool is_slight = false;  ///< few pixels of many that a picture has: they may be false
   bool at_border = false;  ///< of the picture or of the corridor: part of it may be out of sight
 };
 

@@ -2,6 +2,7 @@
 #include "things_memory.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -18,25 +19,47 @@ constexpr double same_size = 0.85;
 constexpr std::size_t enough_spots = 24;
 /// What is seen past in so many successive clouds has gone.
 constexpr unsigned clouds_to_go = 3;
-/// Nearly all of a thing.
-constexpr double nearly = 0.85;
+/// Nearly all of a thing, and a small part of one.
+constexpr double nearly = 0.85, few = 0.25;
 constexpr std::size_t most_lost = 240;  ///< spots of one thing
 /// Of the picture, at least 1/share is a fair extent.
 constexpr double fair_share = 500;
 
-bool are_close(const Point& a, const Point& b) {
-  return (a.getVector3fMap() - b.getVector3fMap()).squaredNorm() < step * step;
+float squared_distance(const Point& a, const Point& b) {
+  return (a.getVector3fMap() - b.getVector3fMap()).squaredNorm();
 }
 
-/// How much of what was seen lies close to what is seen [share].
-double common(const std::vector<Spot>& before, const Thing& now) {
+/// What a thing that was seen has in common with one that is.
+struct Common {
+  double share = 0.0;      ///< of what was seen: how much lies close to what is seen
+  double closeness = 0.0;  ///< how close: 1 where it has not moved
+};
+
+Common common(const std::vector<Spot>& before, const Thing& now) {
   std::size_t close = 0, asked = 0;
+  double closeness = 0.0;
   for (std::size_t i = 0; i < before.size(); i += 1 + before.size() / enough_spots, ++asked) {
-    close += std::any_of(now.spots.begin(), now.spots.end(),
-                         [&](const Spot& spot) { return are_close(before[i].point, spot.point); });
+    float least = step * step;
+    for (const Spot& spot : now.spots) least = std::min(least, squared_distance(before[i].point, spot.point));
+    close += least < step * step;
+    closeness += 1.0 - std::sqrt(double{least}) / double{step};
   }
-  return static_cast<double>(close) / static_cast<double>(std::max<std::size_t>(1, asked));
+  const double all = static_cast<double>(std::max<std::size_t>(1, asked));
+  return {static_cast<double>(close) / all, closeness / all};
 }
+
+/// By how much a camera may have turned meanwhile for its picture to show the same places: the cosine of 3 degrees.
+constexpr float same_axis = 0.9986f;
+
+bool are_same(const Axis& a, const Axis& b) {
+  const auto cosine = [](const std::array<float, 3>& one, const std::array<float, 3>& other) {
+    return one[0] * other[0] + one[1] * other[1] + one[2] * other[2];
+  };
+  return cosine(a.ahead, b.ahead) > same_axis && cosine(a.right, b.right) > same_axis;
+}
+
+/// A hole where the thing left none: something else may stand there that went out of sight together with it.
+bool is_dense_hole(const Spot& spot, const Pixels& picture) { return spot.company >= dense && is_hole(spot, picture); }
 
 void append(std::vector<Spot>& all, std::vector<Spot> some) {
   std::move(some.begin(), some.end(), std::back_inserter(all));
@@ -61,12 +84,14 @@ void ThingsMemory::restore(std::vector<Remembered> things, float blind_range) {
   blind_range_ = blind_range;
 }
 
-void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const FloorAgain& floor_again, float near) {
+void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const FloorAgain& floor_again, float near,
+                          const Axis& axis) {
   follow(std::move(seen));
   unlearn_blind_range();
   for (Remembered& thing : things_) {
     note_vanished(thing, picture, near);
-    ask(thing, picture, floor_again);
+    if (thing.is_seen() || !thing.axis) thing.axis = axis;
+    if (are_same(*thing.axis, axis)) ask(thing, picture, floor_again);
   }
   things_.erase(std::remove_if(things_.begin(), things_.end(),
                                [](const Remembered& thing) { return !thing.is_seen() && thing.lost.empty(); }),
@@ -115,11 +140,14 @@ void ThingsMemory::follow(std::vector<Thing> seen) {
   }
   for (Thing& now : seen) {
     std::size_t best = things_.size();
-    double most = now.at_border ? 0.05 : 0.25;  // what leaves the corridor there may lose most of it in one step
+    const double least = now.at_border ? 0.05 : 0.25;  // what leaves the corridor may lose most of it in one step
+    double most = 0.0;
     for (std::size_t i = 0; i < before.size(); ++i) {
       if (before[i].empty() || things_[i].is_seen()) continue;
-      const double shared = std::min(common(before[i], now), 1.0) * std::min(1.0, now.size / size_before[i]);
-      if (shared > most) best = i, most = shared;
+      const Common shared = common(before[i], now);
+      const double as_large = std::min(1.0, now.size / size_before[i]);
+      const double likeness = as_large * (shared.share + shared.closeness);
+      if (shared.share * as_large > least && likeness > most) best = i, most = likeness;
     }
     if (best == things_.size()) {
       things_.emplace_back();
@@ -132,6 +160,7 @@ void ThingsMemory::follow(std::vector<Thing> seen) {
     if (same && thing.lost.empty()) before[best].clear();
     thing.size = std::max(thing.size, now.size);
     thing.at_border = now.at_border;
+    thing.is_slight = now.is_slight;
     thing.stood = thing.stood || now.stands;
     // What is left of it at a border may show no foot: a post that slides out of the corridor still stands.
     for (Spot& spot : now.spots) spot.stands = spot.stands || (thing.stood && (spot.foot_unseen || now.at_border));
@@ -140,13 +169,20 @@ void ThingsMemory::follow(std::vector<Thing> seen) {
     thing.vanished = false;
     ++thing.clouds;
   }
-  for (std::size_t i = 0; i < things_.size(); ++i) append(things_[i].lost, std::move(before[i]));
+  for (std::size_t i = 0; i < things_.size(); ++i) {
+    const bool was_noise = things_[i].is_slight && things_[i].clouds < 2;
+    if (!was_noise) append(things_[i].lost, std::move(before[i]));
+  }
 }
 
 void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const FloorAgain& floor_again) {
-  double past = 0.0;  // of those that stay
+  double past = 0.0, leaving = 0.0, blank = 0.0;  // of those that stay
   const auto goes = [&](Spot& spot) {
     const Evidence evidence = evidence_of(spot, picture);
+    if (evidence == Evidence::Past && !thing.is_seen() && leaves_at_the_top(spot, picture)) {
+      leaving += double{spot.share};
+      return false;
+    }
     spot.seen_past = evidence == Evidence::Past ? static_cast<std::uint8_t>(spot.seen_past + 1) : std::uint8_t{0};
     // Seen again, it is a thing that is seen; what comes nearer while a part of it is seen is that thing itself.
     const bool again = evidence == Evidence::There || (evidence == Evidence::Hidden && thing.is_seen() &&
@@ -156,12 +192,18 @@ void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const FloorAgai
       thing.freed += double{spot.share};
       return true;
     }
-    if (spot.seen_past > 0) past += double{spot.share};
+    if (spot.seen_past > 0) {
+      past += double{spot.share};
+    } else if (is_dense_hole(spot, picture)) {
+      blank += double{spot.share};
+    }
     return false;
   };
   thing.lost.erase(std::remove_if(thing.lost.begin(), thing.lost.end(), goes), thing.lost.end());
-  const double rest = size_of(thing.lost);
-  if (rest > 0.0 && thing.freed + past >= nearly * (thing.freed + rest)) thing.lost.clear();
+  const double gone = thing.freed + past, asked = size_of(thing.lost) - leaving;
+  const bool is_most = gone >= nearly * (thing.freed + asked) && gone >= few * (gone + leaving);
+  const bool leaves_a_hole = 2.0 * blank > asked - past;
+  if (gone > 0.0 && is_most && !leaves_a_hole) thing.lost.clear();
 }
 
 }  // namespace safety_control_cloud

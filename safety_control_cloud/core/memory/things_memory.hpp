@@ -1,23 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "evidence.hpp"
 
 namespace safety_control_cloud {
 
+/// Which way a camera looks, in the corridor's axes.
+struct Axis {
+  std::array<float, 3> ahead = {0.0f, 0.0f, 1.0f}, right = {1.0f, 0.0f, 0.0f};
+};
+
 /// A thing that came near, over many clouds.
 struct Remembered {
-  Thing seen;              ///< as the latest cloud shows it; no spots if it does not
-  std::vector<Spot> lost;  ///< what was seen of it, and now is neither seen nor seen past
-  double size = 0.0;       ///< [m2] at most
-  double freed = 0.0;      ///< [m2] of the lost, since it was last seen, that is seen past by now
-  unsigned clouds = 0;     ///< that have shown it
-  bool stood = false;      ///< on the near floor, at some time
-  bool at_border = false;  ///< when it was seen last
-  bool vanished = false;   ///< in mid-air: see ThingsMemory
+  Thing seen;                  ///< as the latest cloud shows it; no spots if it does not
+  std::vector<Spot> lost;      ///< what was seen of it, and now is neither seen nor seen past
+  double size = 0.0;           ///< [m2] at most
+  double freed = 0.0;          ///< [m2] of the lost, since it was last seen, that is seen past by now
+  unsigned clouds = 0;         ///< that have shown it
+  bool stood = false;          ///< on the near floor, at some time
+  bool at_border = false;      ///< when it was seen last
+  bool vanished = false;       ///< in mid-air: see ThingsMemory
+  bool is_slight = false;      ///< of few pixels, which in a single cloud may be false
+  std::optional<Axis> axis{};  ///< of the camera when it was seen last
 
   bool is_seen() const { return !seen.spots.empty(); }
 };
@@ -30,11 +39,14 @@ double size_of(const std::vector<Spot>& spots);  ///< [m2]
 ///   where it was, nothing is left of it, whatever returns there. What has become smaller may have a part that is too
 ///   near to return, which is lost.
 /// - What is lost of a thing stays lost until the picture shows what is behind it, in three successive clouds, or at
-///   once if it does so for nearly all of it. Then the rest goes too: beside things, cameras leave shadows.
+///   once if it does so for nearly all of it. Then the rest goes too, unless most of that is a hole: something smaller
+///   may have gone out of sight together with it.
+/// - What leaves the picture at its upper border, within the corridor, is not seen to go by what is seen below it.
 /// - What is near is kept. What is farther away is only watched: if a thing of fair extent, which nothing hides and
 ///   which is not at the border, returns nothing any more from one cloud to the next, it was not seen to go away. The
 ///   sensor is blind at the distance at which it was; it is kept, and that distance is near from then on, until a thing
 ///   is seen nearer.
+/// - While the camera looks another way, its picture says nothing of what is lost.
 /// - What stands on the floor, in a column of the picture, has gone when the near floor is seen again in that column.
 class ThingsMemory {
  public:
@@ -42,7 +54,8 @@ class ThingsMemory {
   using FloorAgain = std::function<bool(std::size_t column)>;
 
   /// Nearer than `near` [m] ahead of the camera is near.
-  void update(std::vector<Thing> seen, const Pixels& picture, const FloorAgain& floor_again, float near);
+  void update(std::vector<Thing> seen, const Pixels& picture, const FloorAgain& floor_again, float near,
+              const Axis& axis);
 
   const std::vector<Remembered>& things() const { return things_; }
   template <class Visit>
