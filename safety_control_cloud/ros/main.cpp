@@ -5,7 +5,9 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <string>
 
 #include "input/receive_memory.hpp"
 #include "parameters.hpp"
@@ -13,13 +15,17 @@
 
 namespace {
 
-std::atomic<bool> asked_to_end{false};
+std::atomic<bool> asked_to_end{false}, another_has_started{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
 void on_signal(int) { asked_to_end = true; }
 
 /// `rosnode kill`. roscpp's own answer closes the topics at once; the last command must still go out.
-void on_shutdown_request(XmlRpc::XmlRpcValue&, XmlRpc::XmlRpcValue& result) {
+void on_shutdown_request(XmlRpc::XmlRpcValue& request, XmlRpc::XmlRpcValue& result) {
+  const bool has_reason = request.getType() == XmlRpc::XmlRpcValue::TypeArray && request.size() > 1 &&
+                          request[1].getType() == XmlRpc::XmlRpcValue::TypeString;
+  const std::string reason = has_reason ? static_cast<std::string>(request[1]) : "";
+  another_has_started = reason.find("same name") != std::string::npos;  // as rosmaster says it
   asked_to_end = true;
   result = ros::xmlrpc::responseInt(1, "", 0);
 }
@@ -36,11 +42,23 @@ void run() {
   using namespace safety_control_cloud;
   SafetyNode node(ros::NodeHandle(), ros::NodeHandle("~"), Delivery::InPlace);
   while (!asked_to_end && ros::ok()) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
+  if (another_has_started) {
+    ROS_FATAL("another node has started as %s, and so this one ends: do two launch files start it? End one of them.",
+              ros::this_node::getName().c_str());
+  }
+}
+
+/// Whether the command line is one to start with; else it says what was meant.
+bool is_fit(int argc, char** argv) {
+  const auto problems = safety_control_cloud::parameters_without_underscore(argc, argv);
+  for (const auto& problem : problems) std::fprintf(stderr, "%s\n", problem.c_str());
+  return problems.empty();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (!is_fit(argc, argv)) return EXIT_FAILURE;
   safety_control_cloud::keep_memory_for_reuse();
   ros::init(argc, argv, "safety_control_cloud", ros::init_options::NoSigintHandler);
   ros::start();

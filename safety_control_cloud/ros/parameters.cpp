@@ -40,11 +40,12 @@ std::vector<std::string> known_names() {
   return names;
 }
 
-std::string unknown_parameter(const std::string& name, const std::vector<std::string>& known) {
+std::string unknown_parameter(const std::string& node, const std::string& name, const std::vector<std::string>& known) {
   const auto closer = [&](const auto& a, const auto& b) { return edits_between(name, a) < edits_between(name, b); };
   const std::string closest = *std::min_element(known.begin(), known.end(), closer);
   const bool similar = edits_between(name, closest) <= std::max<std::size_t>(2, closest.size() / 3);
-  return "there is no parameter ~" + name + (similar ? "; did you mean ~" + closest + "?" : "");
+  return "there is no parameter ~" + name + (similar ? "; did you mean ~" + closest + "?" : "") +
+         " (it stays on the parameter server until: rosparam delete " + node + "/" + name + ")";
 }
 
 /// Names right under the private namespace; what lies deeper (a nodelet's or a library's) is not ours to judge.
@@ -135,11 +136,24 @@ Settings load_settings(const ros::NodeHandle& private_handle) {
   });
   const auto known = known_names();
   for (const auto& name : given_names(private_handle)) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) problems.push_back(unknown_parameter(name, known));
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      problems.push_back(unknown_parameter(private_handle.getNamespace(), name, known));
+    }
   }
   for (const auto& problem : problems_in(settings)) problems.push_back(problem);
   if (!problems.empty()) throw BadParameters(problems);
   return settings;
+}
+
+std::vector<std::string> parameters_without_underscore(int argc, const char* const* argv) {
+  const auto known = known_names();
+  std::vector<std::string> sentences;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i], name = argument.substr(0, argument.find(":="));
+    if (name == argument || std::find(known.begin(), known.end(), name) == known.end()) continue;
+    sentences.push_back(argument + " gives a topic another name; the parameter is set by _" + argument);
+  }
+  return sentences;
 }
 
 }  // namespace safety_control_cloud

@@ -21,4 +21,8 @@ class BadParameters : public std::runtime_error {
 /// Throws BadParameters for a wrong type, an unfit value or a name that no parameter has.
 Settings load_settings(const ros::NodeHandle& private_handle);
 
+/// A sentence for each argument of the command line, say danger_distance:=0.7, that roscpp takes for a topic's new name
+/// and somebody meant for a parameter.
+std::vector<std::string> parameters_without_underscore(int argc, const char* const* argv);
+
 }  // namespace safety_control_cloud

@@ -34,6 +34,7 @@ double longest_gap(const Settings& settings) { return std::max(settings.source_t
 
 SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Delivery delivery)
     : control_(load_settings(private_handle)),
+      awaited_(wanted_by(control_.settings().input, handle, private_handle)),
       keepsake_(private_handle, [this](const std::string& line) { log_.warn(line); }),
       commands_(handle, "cmd_vel_mux/input/teleop", [this] { on_quiet(); }),
       output_(handle.advertise<sensor_msgs::PointCloud2>("output", 1)),
@@ -61,6 +62,7 @@ SafetyNode::~SafetyNode() {
 
 void SafetyNode::on_arrival(const Arrival& arrival) {
   if (last_cloud_.isZero()) log_.info(std::string(input_->what()) + " arrived");
+  awaited_.has_come();
   beat();
   const double silence = last_cloud_.isZero() ? 0.0 : seconds_since(last_cloud_);
   const bool silence_was_said = said_ == Cause::Silent;
@@ -94,7 +96,8 @@ Placing SafetyNode::placing_of(const std_msgs::Header& cloud) const {
 void SafetyNode::on_quiet() {
   beat();
   control_.note_outside(doubt_without_cloud());
-  const Decision decision = control_.without_cloud(now());
+  Decision decision = control_.without_cloud(now());
+  if (decision.cause == Cause::NoCloud) decision.reason += "; " + awaited_.why();
   publish(decision);
   diagnostics_.on_quiet(decision);
 }

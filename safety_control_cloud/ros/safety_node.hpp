@@ -11,6 +11,7 @@
 #include "../core/safety_control.hpp"
 #include "command/commands.hpp"
 #include "input/arrival.hpp"
+#include "input/awaited.hpp"
 #include "input/camera_place.hpp"
 #include "input/input.hpp"
 #include "input/own_gap.hpp"
@@ -52,6 +53,7 @@ class SafetyNode {
 
   Log log_;
   SafetyControl control_;
+  Awaited awaited_;
   Keepsake keepsake_;
   Commands commands_;
   std::unique_ptr<CameraPlace> camera_place_;  ///< only with a target frame

@@ -25,7 +25,7 @@ with roscore() as uri, ExitStack() as until_the_end:
         os.kill(xmlrpc.client.ServerProxy(uri).getPid("/forgetful_master")[2], signal.SIGKILL)
         until_the_end.enter_context(master_again(uri))
         server = rosgraph.Master("/forgetful_master")
-        eventually(lambda: server.hasParam(NODE + "/lost/things"))
+        eventually(lambda: server.hasParam(NODE + "_lost/things"))
         eventually(lambda: "the ROS master has forgotten what was near" in first.output())
         robot.camera.changes()
         robot.stops("NEAR_LOSS")

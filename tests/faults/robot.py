@@ -161,5 +161,6 @@ def robot_with(process: Process, view: View, clock: Clock = rospy.Time.now) -> I
         yield robot
     finally:
         robot.end()
-        if rospy.has_param(NODE):
-            rospy.delete_param(NODE)
+        for left in (NODE, NODE + "_lost"):
+            if rospy.has_param(left):
+                rospy.delete_param(left)

@@ -29,7 +29,7 @@ def robot_that_lost_a_board():
         robot.stops("SEEN")
         robot.camera.show(hall(PASSED))
         assert robot.stops("NEAR_LOSS").speed == 0.0
-        eventually(lambda: any(rospy.get_param(NODE + "/lost/things")))
+        eventually(lambda: any(rospy.get_param(NODE + "_lost/things")))
         yield robot
 
 
@@ -53,7 +53,7 @@ def test_a_node_that_is_killed_while_something_is_lost_stands_until_it_is_seen_t
         robot.camera.show(FREE)
         robot.drives()
         assert (robot.states.all()[-1].stuck_since.to_sec(), robot.states.all()[-1].hint) == (0.0, "")
-        eventually(lambda: not any(rospy.get_param(NODE + "/lost/things")))
+        eventually(lambda: not any(rospy.get_param(NODE + "_lost/things")))
         robot.camera.changes()
 
 
@@ -76,14 +76,14 @@ def test_reset_frees_what_was_lost_before_the_start_and_is_logged_and_counted(ma
 
 def test_what_makes_no_sense_on_the_parameter_server_keeps_no_node_from_starting(master):
     for nonsense in (["pixels 4294967295 4294967295 0 1 0 1 5"], ["pixels 2 2 0 9 0 9 5"], ["point nan 0 0"], [""], 7, ["x"] * 9):
-        rospy.set_param(NODE + "/lost/things", nonsense)
+        rospy.set_param(NODE + "_lost/things", nonsense)
         with node_under_test() as running, robot_with(running, FREE) as robot:
             robot.drives(within=START)
 
 
 def test_a_first_start_says_that_nothing_is_known_of_before(master):
-    if rospy.has_param(NODE):
-        rospy.delete_param(NODE)  # what a node of another test wrote as it ended
+    if rospy.has_param(NODE + "_lost"):
+        rospy.delete_param(NODE + "_lost")  # what a node of another test wrote as it ended
     states = Heard(NODE + "/state", SafetyState)
     with node_under_test() as running:
         state = states.until(lambda state: True)

@@ -32,7 +32,7 @@ class Parameters(unittest.TestCase):
 
         for problem in (
                 "there is no parameter ~wraning_distance; did you mean ~warning_distance?",
-                "there is no parameter ~colour\n", "~method must be one_pass or pcl", "min_points must be at least 1",
+                "there is no parameter ~colour (it stays on the parameter server until: rosparam delete /safety_control_cloud/colour)\n", "~method must be one_pass or pcl", "min_points must be at least 1",
                 "x_min must be less than x_max", "~safe_speed must be a number", "~release_clouds must not be negative",
                 "source_timeout must be finite"):
             self.assertIn(problem, output.replace("\x1b[0m", "\n"))

@@ -49,7 +49,7 @@ bool write_to_server(const std::string& name, const Texts& texts) {
 }  // namespace
 
 Keepsake::Keepsake(const ros::NodeHandle& private_handle, Say say)
-    : name_(private_handle.resolveName("lost/things")),
+    : name_(private_handle.getNamespace() + "_lost/things"),
       say_(std::move(say)),
       found_(texts_on_server(name_)),
       wanted_(found_.value_or(Texts{})),

@@ -14,7 +14,8 @@
 namespace safety_control_cloud {
 
 /// Keeps what is remembered of near things where the node's own end does not reach it: on the parameter server, as
-/// ~lost/things. A thread of its own speaks with the master, which may take any time to answer.
+/// NODE_lost/things, beside the node's own namespace, which its launch file clears. A thread of its own speaks with the
+/// master, which may take any time to answer.
 class Keepsake {
  public:
   using Texts = std::vector<std::string>;

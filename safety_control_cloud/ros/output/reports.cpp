@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reports.hpp"
 
-#include <boost/make_shared.hpp>
 #include <algorithm>
-#include <cmath>
+#include <boost/make_shared.hpp>
 #include <optional>
 
 #include "../../core/text/words.hpp"
+#include "advice.hpp"
 #include "markers.hpp"
 #include "messages.hpp"
 
@@ -15,7 +15,6 @@ namespace {
 
 constexpr double log_period = 1.0;      ///< [s] between two lines that say the same
 constexpr double markers_period = 0.1;  ///< [s] rviz needs no more
-constexpr double recording_age = 60.0;  ///< [s] an older stamp is a recording's, not a slow camera's
 
 double seconds_since(const ros::SteadyTime& then) { return (ros::SteadyTime::now() - then).toSec(); }
 
@@ -26,17 +25,11 @@ ros::Time ros_time_of(const std::optional<double>& steady) {
   return ros::Time(std::max(then, 0.0));
 }
 
-/// What to do about a stamp that is far from now, if that is plain.
-const char* advice_for(const Decision& decision, const std_msgs::Header& cloud) {
-  if (decision.cause != Cause::Stale && decision.cause != Cause::Future) return "";
-  const bool recording = std::abs(ros::Time::now().toSec() - cloud.stamp.toSec()) > recording_age;
-  return recording ? " (a recording needs: rosparam set use_sim_time true, rosbag play --clock)" : "";
-}
-
 }  // namespace
 
 Reports::Reports(ros::NodeHandle& private_handle, Log& log)
     : log_(log),
+      node_(private_handle.getNamespace()),
       state_(private_handle.advertise<SafetyState>("state", 1, true)),
       markers_(private_handle.advertise<visualization_msgs::MarkerArray>("markers", 1, true)) {}
 
@@ -65,7 +58,9 @@ void Reports::say_in_log(const Decision& decision, const std_msgs::Header& cloud
     log_.info(zone);
   } else {
     const std::string hint = decision.hint.empty() ? "" : "; it drives again when " + decision.hint;
-    log_.warn(words(zone, ": ", name_of(decision.cause), ", ", decision.reason, hint, advice_for(decision, cloud)));
+    const double age = ros::Time::now().toSec() - cloud.stamp.toSec();
+    log_.warn(words(zone, ": ", name_of(decision.cause), ", ", decision.reason, hint,
+                    advice_for(decision.cause, age, node_)));
   }
   logged_ = decision;
   last_log_ = ros::SteadyTime::now();

@@ -4,6 +4,8 @@
 #include <ros/node_handle.h>
 #include <std_msgs/Header.h>
 
+#include <string>
+
 #include "../../core/decision.hpp"
 #include "../../core/settings.hpp"
 #include "log.hpp"
@@ -26,6 +28,7 @@ class Reports {
   void say_in_log(const Decision& decision, const std_msgs::Header& cloud);
 
   Log& log_;
+  const std::string node_;  ///< its resolved name
   ros::Publisher state_, markers_;
   ros::SteadyTime last_log_, last_markers_;
   Decision logged_;
