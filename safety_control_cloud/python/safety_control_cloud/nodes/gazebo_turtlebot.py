@@ -25,6 +25,7 @@ from ..simulation.furniture import Furniture
 from ..simulation.hull import touched
 from . import messages
 from .gazebo_models import DroppedBoxes, place_robot
+from .node_memory import NodeMemory
 from .orders import Orders
 from .rviz_tools import listen_to_rviz
 
@@ -42,6 +43,7 @@ class GazeboTurtlebot:
         self._base = Base(limits)
         self._boxes = DroppedBoxes()
         self._orders = Orders()
+        self._node_memory = NodeMemory()
         self._touched: str | None = None
         self._blind_until = -inf  # [s] to contacts
         self._wheels = rospy.Publisher(WHEELS_TOPIC, Twist, queue_size=1, tcp_nodelay=True)
@@ -89,6 +91,7 @@ class GazeboTurtlebot:
         self._base.stand_at(Pose())
         self._wheels.publish(Twist())
         place_robot(pose)
+        self._node_memory.forget()
         self._blind_until = rospy.get_time() + _PLACED
 
     def _tell_contacts(self, pose: Pose, now: float) -> None:

@@ -2,7 +2,8 @@
 """rviz's mouse: "2D Pose Estimate" puts the robot elsewhere, "Publish Point" drops a box."""
 from __future__ import annotations
 
-from typing import Callable
+from math import isfinite
+from typing import Callable, Sequence
 
 import rospy
 from geometry_msgs.msg import PointStamped, PoseWithCovarianceStamped
@@ -15,19 +16,25 @@ def listen_to_rviz(place: Callable[[Pose], object], drop: Callable[[float, float
     """`place` and `drop`, x and y [m], are called in rospy's threads."""
 
     def on_pose(message: PoseWithCovarianceStamped) -> None:
-        if _is_in_world(message.header.frame_id, "2D Pose Estimate"):
-            place(messages.to_pose(message.pose.pose))
+        pose = messages.to_pose(message.pose.pose)
+        if _is_meant("2D Pose Estimate", message.header.frame_id, (pose.x, pose.y, pose.yaw)):
+            place(pose)
 
     def on_point(message: PointStamped) -> None:
-        if _is_in_world(message.header.frame_id, "Publish Point"):
-            drop(message.point.x, message.point.y)
+        point = message.point.x, message.point.y
+        if _is_meant("Publish Point", message.header.frame_id, point):
+            drop(*point)
 
     rospy.Subscriber("/initialpose", PoseWithCovarianceStamped, on_pose, queue_size=1)
     rospy.Subscriber("/clicked_point", PointStamped, on_point, queue_size=10)
 
 
-def _is_in_world(frame: str, tool: str) -> bool:
-    if frame.lstrip("/") == messages.WORLD_FRAME:
-        return True
-    rospy.logwarn("%s is understood in %s, not in '%s': rviz's fixed frame", tool, messages.WORLD_FRAME, frame)
-    return False
+def _is_meant(tool: str, frame: str, numbers: Sequence[float]) -> bool:
+    """Whether it is a place in the world; if not, that it is ignored is said."""
+    if frame.lstrip("/") != messages.WORLD_FRAME:
+        rospy.logwarn("%s in frame '%s' was ignored: choose %s as rviz's fixed frame", tool, frame, messages.WORLD_FRAME)
+        return False
+    if not all(map(isfinite, numbers)):
+        rospy.logwarn("%s was ignored: not every number of it is finite", tool)
+        return False
+    return True

@@ -17,9 +17,11 @@ from std_srvs.srv import Empty as EmptyService
 from std_srvs.srv import EmptyResponse
 from tf2_msgs.msg import TFMessage
 
+from ..simulation.base import Pose
 from ..simulation.turtlebot import TICK, TurtleBot
 from . import messages
 from .camera_topics import CameraTopics
+from .node_memory import NodeMemory
 from .orders import Orders
 from .pace import Pace
 from .rviz_tools import listen_to_rviz
@@ -41,6 +43,7 @@ class TurtlebotSim:
         self._robot = robot
         self._options = options
         self._orders = Orders()
+        self._node_memory = NodeMemory()
         self._touched: str | None = None
         self._advertise()
         self._camera = CameraTopics(robot, options.depth_encoding)
@@ -76,7 +79,7 @@ class TurtlebotSim:
     def _subscribe(self) -> None:
         rospy.Subscriber("/mobile_base/commands/velocity", Twist, self._on_velocity, queue_size=10, tcp_nodelay=True)
         listen_to_rviz(
-            place=partial(self._orders.put, self._robot.place),
+            place=partial(self._orders.put, self._place),
             drop=partial(self._orders.put, self._robot.world.drop_box))
         rospy.Service("~reset", EmptyService, self._on_reset)
 
@@ -84,8 +87,16 @@ class TurtlebotSim:
         self._orders.put(self._robot.command, messages.to_velocity(twist))
 
     def _on_reset(self, _request) -> EmptyResponse:
-        self._orders.put(self._robot.reset, self._options.seed)
+        self._orders.put(self._start_over)
         return EmptyResponse()
+
+    def _place(self, pose: Pose) -> None:
+        self._robot.place(pose)
+        self._node_memory.forget()
+
+    def _start_over(self) -> None:
+        self._robot.reset(self._options.seed)
+        self._node_memory.forget()
 
     def _publish_contacts(self) -> None:
         touched = ", ".join(sorted({contact.obstacle for contact in self._robot.contacts}))
