@@ -118,5 +118,5 @@ def test_the_summary_can_be_shown_and_written():
     outcomes = [judged(standing(4.0, free=True)), hit]
     assert [one.family for one in rows(outcomes)] == ["wall", "all"]
     assert table_of(outcomes).row_count == 2
-    assert verdict_of(outcomes)[0].startswith("ours: 1 collisions in 2 drives")
+    assert verdict_of(outcomes)[0].startswith("ours: 1 collisions, and 0 touches at a limit of the camera, in 2 drives")
     assert '"clearance": null' in to_json(outcomes)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Sequence
+from datetime import date
+from shlex import quote
 
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
@@ -42,8 +44,12 @@ def _drive(given: argparse.Namespace, methods: Sequence[str]) -> int:
     if given.report:
         from .report import write_report
 
-        console.print(f"report: {write_report(outcomes, given.report)}")
+        console.print(f"report: {write_report(outcomes, given.report, _made_by(given.seed))}")
     return COLLIDED if any(is_collision(one) and one.method == "ours" for one in outcomes) else 0
+
+
+def _made_by(seed: int) -> str:
+    return f"scripts/trials {' '.join(map(quote, sys.argv[1:]))}  (seed {seed}, {date.today().isoformat()})"
 
 
 def _console() -> Console:

@@ -21,14 +21,15 @@ td:first-child,th:first-child,td:nth-child(2),th:nth-child(2){text-align:left}.b
 img{max-width:100%}code{background:#f1f4f6;padding:.1rem .3rem}"""
 
 
-def write_report(outcomes: Sequence[Outcome], folder: Path) -> Path:
-    """index.html and its pictures; drives our collisions once more to draw them."""
+def write_report(outcomes: Sequence[Outcome], folder: Path, made_by: str) -> Path:
+    """index.html and its pictures; drives our collisions once more to draw them. `made_by`: command, seed and date."""
     folder.mkdir(parents=True, exist_ok=True)
     _draw_histograms(outcomes, folder / "histograms.png")
     collisions = [one for one in outcomes if one.collision and one.method == "ours"]
     avoidable = [one for one in collisions if is_collision(one)]
     parts = [
-        "<h1>Drives in simulation</h1>", *(f"<p>{escape(line)}</p>" for line in verdict_of(outcomes)), _table(outcomes),
+        "<h1>Drives in simulation</h1>", f"<p><code>{escape(made_by)}</code></p>",
+        *(f"<p>{escape(line)}</p>" for line in verdict_of(outcomes)), _table(outcomes),
         '<h2>How they went</h2><img src="histograms.png" alt="histograms of clearance and of speed">',
         f"<h2>Our collisions: {len(avoidable)}, and {len(collisions) - len(avoidable)} at limits</h2>",
         *(_collision(one, folder) for one in collisions),

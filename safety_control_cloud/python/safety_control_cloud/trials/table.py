@@ -6,11 +6,13 @@ from collections.abc import Sequence
 from math import isfinite
 
 from rich.table import Table
+from rich.text import Text
 
 from .outcome import Outcome
-from .summary import ALL, Row, is_collision, rows, sound
+from .summary import ALL, Row, is_collision, row, rows, sound
 
-HEADINGS = ("family", "method", "drives", "collisions", "at limits", "clearance p1", "median", "false stops", "stuck", "free m/s")
+HEADINGS = ("family", "method", "drives", "collisions", "at limits", "clearance p1 [m]", "median [m]", "false stops", "stuck",
+            "free [m/s]")
 
 
 def cells(one: Row) -> tuple[str, ...]:
@@ -29,7 +31,7 @@ def cells(one: Row) -> tuple[str, ...]:
 def table_of(outcomes: Sequence[Outcome]) -> Table:
     table = Table(title="Drives in simulation")
     for heading in HEADINGS:
-        table.add_column(heading, justify="left" if heading in HEADINGS[:2] else "right", no_wrap=heading == "family")
+        table.add_column(Text(heading), justify="left" if heading in HEADINGS[:2] else "right", no_wrap=heading == "family")
     before = None
     for one in rows(outcomes):
         if one.family == ALL and before != ALL:
@@ -49,7 +51,9 @@ def verdict_of(outcomes: Sequence[Outcome]) -> list[str]:
         well = sound(ours)
         false = 100 * sum(one.false_stop is not None for one in well) / max(1, len(well))
         stuck = 100 * sum(one.stuck for one in well) / max(1, len(well))
-        lines.append(f"{method}: {sum(map(is_collision, ours))} collisions in {len(ours)} drives; where the camera works, "
-                     f"{false:.1f} % of the drives with a false stop, {stuck:.1f} % stuck at the end")
+        one = row(ALL, method, ours)
+        lines.append(f"{method}: {one.collisions} collisions, and {one.at_limits} touches at a limit of the camera, in "
+                     f"{one.episodes} drives; where it works, {false:.1f} % of the drives with a false stop, {stuck:.1f} % "
+                     "stuck at the end")
     collided = [one for one in outcomes if is_collision(one) and one.method == "ours"]
     return lines + [f"  collision: {one.name} with {one.collision.thing}" for one in collided]
