@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// safety_control_cloud.core: the C++ decision for Python. Types and docstrings stand in core.pyi.
+// safety_control_cloud.core: the C++ decision for Python. Types and docstrings stand in core.pyi alone.
 #include "bindings.hpp"
 
 #include <optional>
@@ -61,4 +61,5 @@ PYBIND11_MODULE(core, module) {
   bindings::bind_path(module);
   bind_rules(module);
   bind_control(module);
+  bindings::document(module);
 }

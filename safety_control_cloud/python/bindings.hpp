@@ -33,4 +33,7 @@ void bind_clouds(py::module& module);
 void bind_results(py::module& module);
 void bind_path(py::module& module);
 
+/// core.pyi's docstrings, for help(); last. pybind11 itself takes one only where a function is defined.
+void document(py::module& module);
+
 }  // namespace bindings

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <optional>
+#include <string>
+
 #include "bindings.hpp"
 
 namespace bindings {
@@ -12,6 +15,30 @@ py::object array_over(const core::Cloud::Ptr& crop) {
   constexpr auto step = static_cast<py::ssize_t>(sizeof(core::Point)), value = static_cast<py::ssize_t>(sizeof(float));
   return py::array_t<float>({count, py::ssize_t{3}}, {step, value}, reinterpret_cast<const float*>(crop->points.data()),
                             owner);
+}
+
+py::tuple point_of(const core::Obstacle& obstacle) {
+  return py::make_tuple(obstacle.point.x, obstacle.point.y, obstacle.point.z);
+}
+
+py::str text_of(const core::Obstacle& obstacle) {
+  return py::str("Obstacle(distance={:.3f}, point=({:.3f}, {:.3f}, {:.3f}))")
+      .format(obstacle.distance(), obstacle.point.x, obstacle.point.y, obstacle.point.z);
+}
+
+py::object text_of(const std::optional<core::Obstacle>& obstacle) {
+  return obstacle ? py::object(text_of(*obstacle)) : py::none();
+}
+
+py::str text_of(const core::Sight& sight) {
+  return py::str("Sight(nearest={}, inside={}, too_close={}, returns={}, total={})")
+      .format(text_of(sight.nearest), sight.inside, sight.too_close, sight.returns, sight.total);
+}
+
+py::str text_of(const core::Decision& decision) {
+  return py::str("Decision(zone={}, speed={:g}, cause={}, nearest={}, reason={!r})")
+      .format(core::name_of(decision.zone), decision.speed, core::name_of(decision.cause), text_of(decision.nearest),
+              decision.reason);
 }
 
 }  // namespace
@@ -40,16 +67,16 @@ void bind_results(py::module& module) {
       .value("NO_TIME", core::Cause::NoTime);
   py::class_<core::Obstacle>(module, "Obstacle")
       .def_property_readonly("distance", &core::Obstacle::distance)
-      .def_property_readonly("point", [](const core::Obstacle& obstacle) {
-        return py::make_tuple(obstacle.point.x, obstacle.point.y, obstacle.point.z);
-      });
+      .def_property_readonly("point", &point_of)
+      .def("__repr__", [](const core::Obstacle& obstacle) { return text_of(obstacle); });
   py::class_<core::Sight>(module, "Sight")
       .def_readonly("nearest", &core::Sight::nearest)
       .def_readonly("inside", &core::Sight::inside)
       .def_readonly("too_close", &core::Sight::too_close)
       .def_readonly("returns", &core::Sight::returns)
       .def_readonly("total", &core::Sight::total)
-      .def_property_readonly("crop", [](const core::Sight& sight) { return array_over(sight.crop); });
+      .def_property_readonly("crop", [](const core::Sight& sight) { return array_over(sight.crop); })
+      .def("__repr__", [](const core::Sight& sight) { return text_of(sight); });
   py::class_<core::Decision>(module, "Decision")
       .def_readonly("zone", &core::Decision::zone)
       .def_readonly("speed", &core::Decision::speed)
@@ -58,7 +85,8 @@ void bind_results(py::module& module) {
       .def_readonly("stuck_since", &core::Decision::stuck_since)
       .def_readonly("hint", &core::Decision::hint)
       .def_readonly("nearest", &core::Decision::nearest)
-      .def_readonly("sight", &core::Decision::sight);
+      .def_readonly("sight", &core::Decision::sight)
+      .def("__repr__", [](const core::Decision& decision) { return text_of(decision); });
 }
 
 }  // namespace bindings

@@ -159,3 +159,27 @@ def test_the_interpreter_runs_on_while_a_cloud_is_looked_at():
         counted += 1
     thread.join()
     assert counted > 1000
+
+
+def test_what_the_stub_says_is_told_at_run_time_too():
+    assert "taken for `now`" in core.SafetyControl.__doc__
+    assert "The decision for a cloud that has just arrived" in core.SafetyControl.decide.__doc__
+    assert "sensor_msgs/PointCloud2" in core.Cloud.of_bytes.__doc__ and "One pass over the bytes" in core.look.__doc__
+    assert core.Decision.speed.__doc__ == "[m/s] forward" and "DANGER 0" in core.Zone.__doc__
+
+
+def test_results_can_be_read_where_they_are_printed():
+    assert repr(core.SafetyControl().without_cloud(1.0)) == (
+        "Decision(zone=Danger, speed=0, cause=NO_CLOUD, nearest=None, reason='no cloud has arrived yet')")
+    seen = core.look(np.array([[0.0, 0.0, 0.75]], dtype=np.float32))
+    assert repr(seen) == (
+        "Sight(nearest=Obstacle(distance=0.750, point=(0.000, 0.000, 0.750)), inside=1, too_close=0, returns=1, total=1)")
+
+
+def test_a_value_of_another_type_is_refused_by_its_parameters_name():
+    with pytest.raises(TypeError, match="danger_distance must be a number"):
+        core.Settings(danger_distance="x")
+
+
+def test_a_speed_beyond_every_bound_is_a_problem():
+    assert core.Settings(safe_speed=5.0).problems() == ["safe_speed must be at most 1.5"]

@@ -18,7 +18,8 @@ class Zone:
     def __int__(self) -> int: ...
 
 class Cause:
-    """Why a decision is what it is; with every cause but SEEN the robot stands. Numbers as in SafetyState.msg."""
+    """Why a decision is what it is. With every cause but SEEN, NEAR_LOSS and LOW_OBSTACLE the robot stands. Numbers as
+    in SafetyState.msg."""
 
     SEEN: Cause
     NO_CLOUD: Cause
