@@ -82,10 +82,10 @@ def test_python_imports_it_from_the_install_space(module, installed, workspace):
     assert str(workspace / "install") in result.stdout, result.stdout
 
 
-@pytest.mark.parametrize("file", ["package.xml", "msg/SafetyState.msg", "config", "launch", "rviz"])
-def test_the_install_space_holds(file, workspace):
-    if not (ROOT / file).exists() and not (ROOT / "safety_control_cloud" / file).exists():
-        pytest.skip(f"there is no {file} in the sources")
+@pytest.mark.parametrize(
+    "file", ["package.xml", "msg/SafetyState.msg", *(f"safety_control_cloud/{folder}" for folder in ("config", "launch", "rviz", "urdf"))])
+def test_a_path_in_the_package_is_the_same_in_the_install_space(file, workspace):
+    assert (ROOT / file).exists()
     assert (workspace / "install" / "share" / "safety_control_cloud" / file).exists()
 
 

@@ -33,7 +33,7 @@ TOP_LEVEL = {
     *("msg", "cfg", "srv", "setup.py", "LICENSE", "CHANGELOG.rst"),
 }
 TOOLS_OF_A_CLONE = {"setup", "test", "demo", "bench", "trials"}
-SOURCE_FOLDERS = {"core", "ros", "python", "launch", "config", "rviz"}
+SOURCE_FOLDERS = {"core", "ros", "python", "launch", "config", "rviz", "urdf"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD = re.compile(r"[a-z_0-9]+")  # <vector>, <cmath>: neither folder nor ending

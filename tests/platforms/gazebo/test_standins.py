@@ -10,7 +10,7 @@ rospkg = pytest.importorskip("rospkg", reason="no stand-ins of gazebo_ros: no RO
 
 from safety_control_cloud.ros_session import executable_of, roscore  # noqa: E402
 
-URDF = Path(__file__).parents[3] / "safety_control_cloud/config/turtlebot.urdf"
+URDF = Path(__file__).parents[3] / "safety_control_cloud/urdf/turtlebot.urdf"
 SECONDS = 60  # that Gazebo may take to come up
 
 

@@ -11,7 +11,7 @@ from safety_control_cloud.simulation.base import WHEEL_RADIUS, WHEEL_SEPARATION
 from safety_control_cloud.simulation.sensor import Xtion
 
 ROOT = Path(__file__).parents[3]
-URDF = ElementTree.parse(ROOT / "safety_control_cloud/config/turtlebot.urdf").getroot()
+URDF = ElementTree.parse(ROOT / "safety_control_cloud/urdf/turtlebot.urdf").getroot()
 STANDINS = ROOT / "tests/platforms/standins/gazebo_ros/src"  # they refuse what the real plugins do not read
 SOURCES = {"libgazebo_ros_openni_kinect.so": "depth_camera.cpp", "libgazebo_ros_diff_drive.so": "differential_drive.cpp"}
 PLUGINS = {plugin.get("filename"): plugin for plugin in URDF.iter("plugin")}

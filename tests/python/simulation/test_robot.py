@@ -13,7 +13,7 @@ from safety_control_cloud.simulation import hull, robot
 from safety_control_cloud.simulation.base import WHEEL_RADIUS, WHEEL_SEPARATION
 from safety_control_cloud.simulation.sensor import Xtion
 
-URDF = ElementTree.parse(Path(__file__).parents[3] / "safety_control_cloud/config/turtlebot.urdf").getroot()
+URDF = ElementTree.parse(Path(__file__).parents[3] / "safety_control_cloud/urdf/turtlebot.urdf").getroot()
 
 
 def numbers(text: str) -> tuple[float, ...]:

@@ -17,7 +17,7 @@ from safety_control_cloud.simulation.sdf import to_model, to_world, write_world
 from safety_control_cloud.simulation.world import World
 from safety_control_cloud.simulation.world_files import world_file, world_names
 
-URDF = Path(__file__).parents[3] / "safety_control_cloud/config/turtlebot.urdf"
+URDF = Path(__file__).parents[3] / "safety_control_cloud/urdf/turtlebot.urdf"
 KINDS = {mujoco.mjtGeom.mjGEOM_BOX: "box", mujoco.mjtGeom.mjGEOM_CYLINDER: "cylinder", mujoco.mjtGeom.mjGEOM_PLANE: "plane"}
 
 

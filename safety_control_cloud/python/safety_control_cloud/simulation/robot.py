@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The TurtleBot's body for MuJoCo. `config/turtlebot.urdf` shows the same robot to rviz; a test compares the two."""
+"""The TurtleBot's body for MuJoCo. `urdf/turtlebot.urdf` shows the same robot to rviz; a test compares the two."""
 from __future__ import annotations
 
 from math import cos, degrees, radians, sin, sqrt
