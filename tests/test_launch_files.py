@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Launch files find what they need wherever they lie: robot_upstart copies them to /etc/ros."""
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+import yaml
+
+LAUNCH = Path(__file__).resolve().parent.parent / "safety_control_cloud" / "launch"
+
+pytestmark = pytest.mark.skipif(shutil.which("roslaunch") is None, reason="roslaunch is not installed")
+
+
+@pytest.mark.parametrize("file", sorted(path.name for path in LAUNCH.glob("safety_control*.launch")))
+def test_a_copy_elsewhere_starts_the_same(file, tmp_path):
+    shutil.copy(LAUNCH / file, tmp_path / file)
+    told = [
+        subprocess.run(["roslaunch", "--dump-params", folder / file], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        for folder in (LAUNCH, tmp_path)
+    ]
+    assert told[1].returncode == 0, told[1].stderr
+    assert yaml.safe_load(told[1].stdout) == yaml.safe_load(told[0].stdout)
