@@ -34,6 +34,7 @@ TOP_LEVEL = {
 }
 TOOLS_OF_A_CLONE = {"setup", "test", "demo", "bench", "trials"}
 SOURCE_FOLDERS = {"core", "ros", "python", "launch", "config", "rviz", "urdf"}
+PAGES = {"README.md", "TUTORIAL.md", "LIMITS.md"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD = re.compile(r"[a-z_0-9]+")  # <vector>, <cmath>: neither folder nor ending
@@ -261,7 +262,7 @@ def test_the_top_level_holds_only_what_the_design_allows():
 
 
 def test_the_sources_have_their_own_folders():
-    assert {path.name for path in SOURCES.iterdir() if path.name != "__pycache__"} - SOURCE_FOLDERS == set()
+    assert {path.name for path in SOURCES.iterdir() if path.name != "__pycache__"} - SOURCE_FOLDERS - PAGES == set()
 
 
 def test_no_source_folder_shadows_the_generated_package():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Defaults stand in Settings{} alone; the YAML file and the README only repeat them."""
+"""Defaults stand in Settings{} alone; the YAML file and the page beside it only repeat them."""
 import re
 from pathlib import Path
 
@@ -25,8 +25,8 @@ def test_the_yaml_file_names_every_parameter_with_its_default():
     assert_repeats_the_defaults(yaml.safe_load((ROOT / "safety_control_cloud/config/default.yaml").read_text()))
 
 
-def test_the_readme_names_every_parameter_with_its_default():
-    rows = re.findall(r"^\| `~(\w+)` \| `([^`]+)` \|", (ROOT / "README.md").read_text(), re.MULTILINE)
+def test_the_page_of_the_parameters_names_every_parameter_with_its_default():
+    rows = re.findall(r"^\| `~(\w+)` \| `([^`]+)` \|", (ROOT / "safety_control_cloud/config/README.md").read_text(), re.MULTILINE)
     assert_repeats_the_defaults({name: yaml.safe_load(value) for name, value in rows})
 
 
