@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rooms import room, wall_at
-from safety_control_cloud.simulation import lockstep
+from safety_control_cloud.simulation import closed_loop
 from safety_control_cloud.simulation.base import Pose, Velocity
 from safety_control_cloud.simulation.sensor import Xtion, points
 from safety_control_cloud.simulation.turtlebot import TurtleBot
@@ -29,7 +29,7 @@ class Drive:
     def __init__(self) -> None:
         self.robot = TurtleBot(room(POST, GATE, wall_at(4.5), xtion=QVGA))
         self.decisions: list[core.Decision] = []
-        self.moments: list[lockstep.Moment] = []
+        self.moments: list[closed_loop.Situation] = []
 
     def pictures(self, seconds: float) -> Iterator[float]:
         """The time [s] of each; what the caller moves then is in the next."""
@@ -39,7 +39,7 @@ class Drive:
             self.decisions.append(control.decide(points(depth, QVGA), now=now))
             return Velocity(self.decisions[-1].speed)
 
-        for moment in lockstep.drive(self.robot, steer, seconds, latency=0.05):
+        for moment in closed_loop.drive(self.robot, steer, seconds, latency=0.05):
             self.moments.append(moment)
             yield moment.time
         self.robot.close()

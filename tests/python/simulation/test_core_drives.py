@@ -7,7 +7,7 @@ from itertools import groupby
 import pytest
 
 from safety_control_cloud.simulation.base import Pose, Velocity
-from safety_control_cloud.simulation.lockstep import Moment, drive, steered_by
+from safety_control_cloud.simulation.closed_loop import Situation, drive, steered_by
 from safety_control_cloud.simulation.sensor import Xtion
 from safety_control_cloud.simulation.turtlebot import TurtleBot
 from safety_control_cloud.simulation.world import World
@@ -18,14 +18,14 @@ core = pytest.importorskip("safety_control_cloud.core")
 QVGA = Xtion(width=320, height=240)
 
 
-def drives(world: str, seconds: float) -> list[Moment]:
+def drives(world: str, seconds: float) -> list[Situation]:
     robot = TurtleBot(World.load(world, QVGA))
     moments = list(drive(robot, steered_by(core.SafetyControl(), QVGA), seconds, latency=0.05))
     robot.close()
     return moments
 
 
-def wanted_speeds(moments: list[Moment]) -> list[float]:
+def wanted_speeds(moments: list[Situation]) -> list[float]:
     return [speed for speed, _ in groupby(moment.wanted.linear for moment in moments)]
 
 

@@ -10,10 +10,10 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from ..zone_colours import WRITTEN as COLOURS
 from .record import Approach, Sample
 
 DANGER, WARNING = 0.5, 1.0  # [m] the node's defaults
-COLOURS = {"Safe": "#2e7d4f", "Warning": "#c77700", "Danger": "#c0322b"}
 _PALE = {"Safe": "#e3f1e8", "Warning": "#fdf0d9", "Danger": "#f9dfdd"}
 _INK, _GREY, _BLUE = "#22303c", "#6b7c8c", "#1f5fa8"
 

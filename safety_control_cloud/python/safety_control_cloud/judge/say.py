@@ -14,10 +14,10 @@ from rich.text import Text
 
 from safety_control_cloud.judge.compare import Difference
 from safety_control_cloud.judge.rows import BagRow
+from safety_control_cloud.zone_colours import PRINTED as COLOURS
 
 WIDE = 200  # columns, where there is no terminal whose width would limit the table
 SHOWN = 20  # bags and differences at most; all of them are in the files
-COLOURS = {"Safe": "green", "Warning": "yellow", "Danger": "red"}
 
 
 def console() -> Console:

@@ -15,8 +15,8 @@ from matplotlib.axes import Axes
 from safety_control_cloud import core
 from safety_control_cloud.replay.lockstep import Answer
 from safety_control_cloud.replay.silence import Silence
+from safety_control_cloud.zone_colours import DRAWN as COLOURS
 
-COLOURS = {"Safe": "#2e9e5b", "Warning": "#e8a317", "Danger": "#d64545"}
 Silent = Dict[int, Tuple[float, float]]  # [s] from and to, by the number of the cloud before
 INK, QUIET = "#22303c", "#8795a1"
 STYLE = {

@@ -15,8 +15,8 @@ from rich.text import Text
 
 from safety_control_cloud.replay.lockstep import Answer
 from safety_control_cloud.replay.silence import Silence
+from safety_control_cloud.zone_colours import PRINTED as COLOURS
 
-COLOURS = {"Safe": "green", "Warning": "yellow", "Danger": "red"}
 NEXT_TO = 5  # clouds on either side of the one that is asked for
 LONGEST_CAUSE = len("UNREADABLE:")
 WIDE = 240  # columns, where there is no terminal whose width would limit the table

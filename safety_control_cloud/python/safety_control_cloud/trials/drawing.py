@@ -17,6 +17,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.patches import Circle, Rectangle
 
 from ..simulation.hull import BODY_RADIUS
+from ..zone_colours import DRAWN as ZONES
 from .outcome import Moment, Outcome
 from .scenario import XTION, Scenario
 from .stage import FREE_TO
@@ -25,7 +26,6 @@ from .things import Surface
 if TYPE_CHECKING:
     from numpy.typing import NDArray  # not in the numpy of Ubuntu 20.04
 
-ZONES = {"Safe": "#2e9e5b", "Warning": "#e8a317", "Danger": "#d64545"}
 INK, QUIET = "#22303c", "#8795a1"
 SURFACES = {Surface.PLAIN: "#9c6b3e", Surface.GLASS: "#b6d8ee", Surface.BLACK: "#1c1c1e"}
 

@@ -9,7 +9,7 @@ from math import cos, inf, sin
 import numpy as np
 
 from ..simulation.base import Velocity
-from ..simulation.lockstep import TELEOP
+from ..simulation.closed_loop import TELEOP
 from ..simulation.mux import Mux
 from ..simulation.turtlebot import TICK, TurtleBot
 from .deciders import Decider, Verdict, decider_for

@@ -6,8 +6,8 @@ from html import escape
 from typing import Dict, List, Sequence, Tuple
 
 from safety_control_cloud.judge.report.facts import BIN, FARTHEST
+from safety_control_cloud.zone_colours import DRAWN as COLOURS
 
-COLOURS = {"Safe": "#2e9e5b", "Warning": "#e8a317", "Danger": "#d64545"}
 INK, QUIET = "#22303c", "#8795a1"
 WIDTH, BAR, NAME = 900, 22, 260  # [px]
 

@@ -27,7 +27,7 @@ Steer = "Callable[[NDArray[np.float32], float], Velocity | None]"
 
 
 @dataclass(frozen=True)
-class Moment:
+class Situation:
     """The truth at one picture."""
 
     time: float  # [s]
@@ -44,8 +44,8 @@ def steered_by(control: SafetyControl, xtion: Xtion) -> Steer:
 
 def drive(
     robot: TurtleBot, steer: Steer, seconds: float, latency: float = 0.0, mux: Mux | None = None
-) -> Iterator[Moment]:
-    """Yields a Moment for every picture; what the caller does to the world in between, happens there.
+) -> Iterator[Situation]:
+    """Yields a Situation for every picture; what the caller does to the world in between, happens there.
 
     `latency` [s] passes between a picture and its velocity's arrival at the mux.
     """
@@ -58,7 +58,7 @@ def drive(
             wanted = steer(robot.depth(), robot.time)
             if wanted is not None:
                 under_way.append((tick + round(latency / TICK), wanted))
-            yield Moment(robot.time, robot.pose, wanted, robot.velocity, tuple(contacts))
+            yield Situation(robot.time, robot.pose, wanted, robot.velocity, tuple(contacts))
             contacts.clear()
         while under_way and under_way[0][0] <= tick:
             _, velocity = under_way.popleft()

@@ -8,7 +8,7 @@ import pytest
 
 from rooms import room, tutorial_steering, wall_at
 from safety_control_cloud.simulation.base import DRIVER, INSTANT, LIMITS, Pose, Velocity
-from safety_control_cloud.simulation.lockstep import Moment, drive
+from safety_control_cloud.simulation.closed_loop import Situation, drive
 from safety_control_cloud.simulation.sensor import Xtion
 from safety_control_cloud.simulation.turtlebot import TurtleBot
 from safety_control_cloud.simulation.world import World
@@ -19,13 +19,13 @@ GAZEBO_START = 1.887  # [m] camera to the front, as in the Gazebo 11 reference r
 GAZEBO_STOP = (0.46, 0.50)  # [m] camera to the front, where the robot came to stand there
 
 
-def tutorial_drive(robot: TurtleBot, seconds: float, latency: float = 0.05) -> list[Moment]:
+def tutorial_drive(robot: TurtleBot, seconds: float, latency: float = 0.05) -> list[Situation]:
     moments = list(drive(robot, tutorial_steering(robot.world.xtion), seconds, latency))
     robot.close()
     return moments
 
 
-def wanted_speeds(moments: list[Moment]) -> list[float]:
+def wanted_speeds(moments: list[Situation]) -> list[float]:
     return [speed for speed, _ in groupby(moment.wanted.linear for moment in moments)]
 
 
