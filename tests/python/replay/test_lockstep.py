@@ -5,7 +5,7 @@ import sys
 from recordings import TOPIC, wall_at, write_ros1
 
 from safety_control_cloud import core
-from safety_control_cloud.replay.lockstep import parameters_for_replay
+from safety_control_cloud.replay.lockstep import distinct, parameters_for_replay
 
 # rospy starts once per process, so this runs in one of its own. The pauses are longer than the node's patience: it
 # says SILENT between the clouds, with the stamp of the cloud before, which is the stamp of the next one too.
@@ -28,6 +28,14 @@ def test_a_repeated_state_of_the_cloud_before_is_never_taken_for_the_answer(tmp_
     result = subprocess.run([sys.executable, "-c", SLOW, str(bag)], capture_output=True, text=True, timeout=120)
 
     assert (result.stdout, result.stderr) == ("0 SEEN 0.8\n0 SEEN 0.9\n0 SEEN 1.1\n", "")
+
+
+def test_stamps_are_made_distinct_and_never_run_to_and_fro_where_the_recorded_ones_do_not():
+    recorded, sent = [0, 0, 0, 1, 1, 4, 10**9 - 1, 10**9 - 1, 3, 3, 9], [0]
+    for before, stamp in zip([0, *recorded], recorded):
+        sent.append(distinct(stamp, before, sent[-1]))
+
+    assert sent[1:] == [1, 2, 3, 4, 5, 6, 10**9 - 1, 10**9, 3, 4, 9]
 
 
 def test_neither_silence_nor_age_is_judged_in_a_recording():

@@ -69,6 +69,7 @@ def test_no_cloud_is_dropped_and_each_gets_its_own_answer_whatever_its_stamp(tmp
 
     by_stamp = sorted(range(len(stamps)), key=lambda number: stamps[number])  # a bag is read in the order of time
     assert [answer["stamp"] for answer in got] == [stamps[number] / 1e9 for number in by_stamp]
+    assert {answer["cause"] for answer in got} == {"SEEN"}  # nothing that the replay does looks like a second camera
     assert [round(answer["nearest"], 4) for answer in got] == [round(distances[number], 4) for number in by_stamp]
 
 

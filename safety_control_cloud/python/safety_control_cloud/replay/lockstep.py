@@ -108,7 +108,8 @@ class Lockstep:
         kinds = (PointCloud2,) if len(topics) == 1 else (Image, CameraInfo)
         self._parts = [rospy.Publisher(topic, raw(kind), queue_size=1) for topic, kind in zip(topics, kinds)]
         self._transforms: Dict[str, rospy.Publisher] = {}
-        self._sent = 0  # [ns] stamp of the last cloud; before the first, the node's states have an empty header
+        self._recorded = 0  # [ns] stamp of the last cloud; before the first, the node's states have an empty header
+        self._sent = 0  # [ns] the stamp that it was given
         self._state_of(self._sent, "its start")
         while not all(part.get_num_connections() for part in self._parts):
             self._state_of(self._sent, "its start")  # it repeats its state, so this waits and watches over the node
@@ -117,8 +118,9 @@ class Lockstep:
         """Raises NoAnswer."""
         self._move(cloud)
         # The node repeats its last state when it waits long for a cloud. So that a repetition is not taken for the
-        # answer, two clouds in a row never have the same stamp: the second's last bit is turned (1 ns).
-        self._sent = cloud.stamp ^ 1 if cloud.stamp == self._sent else cloud.stamp
+        # answer, no two clouds in a row have the same stamp.
+        self._sent = distinct(cloud.stamp, self._recorded, self._sent)
+        self._recorded = cloud.stamp
         for publisher, part in zip(self._parts, cloud.parts):
             publisher.publish(_stamped(part, cloud.stamp, self._sent))
         return _answer(cloud, self._state_of(self._sent, f"the cloud of {cloud.stamp / 1e9:.3f} s"))
@@ -161,12 +163,15 @@ class Lockstep:
         return re.sub("\x1b\\[[0-9;]*m", "", self._process.output())
 
 
+def distinct(stamp: int, before: int, before_sent: int) -> int:
+    """Forward where the recording goes forward or stands: stamps that run to and fro would be those of two cameras."""
+    return stamp if stamp < before else max(stamp, before_sent + 1)
+
+
 def _stamped(message: bytes, own: int, stamp: int) -> bytes:
     if stamp == own:
         return message
-    changed = bytearray(message)
-    struct.pack_into("<I", changed, 8, struct.unpack_from("<I", changed, 8)[0] ^ 1)
-    return bytes(changed)
+    return b"".join((message[:4], struct.pack("<II", *divmod(stamp, 10**9)), memoryview(message)[12:]))
 
 
 def _answer(cloud: RecordedCloud, state: SafetyState) -> Answer:
