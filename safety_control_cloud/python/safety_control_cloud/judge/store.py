@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import json
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import Dict, List, Sequence, Tuple
+from typing import Dict, Iterator, List, Sequence, Tuple
 
 from safety_control_cloud.judge.bag import Judged
 from safety_control_cloud.judge.identity import Stat, version
@@ -42,9 +43,8 @@ class Store:
         for row, content in zip(judged.rows, judged.files):
             assert row.bag
             whole = self.file_of(row.bag, row.settings)
-            part = whole.with_suffix(".part")
-            part.write_bytes(content)
-            part.replace(whole)
+            with _whole_or_not_at_all(whole, self.bags.parent) as part:
+                part.write_bytes(content)
         if judged.bag and judged.stat and self._known.get(judged.path) != (judged.stat, judged.bag):
             self._known[judged.path] = (judged.stat, judged.bag)
             with self._hashes.open("a") as stream:
@@ -57,9 +57,8 @@ class Store:
         return [replace(bag_row_in(self.file_of(judged.bag, name)), path=judged.path) for name in self._settings]
 
     def write_bags(self, rows: Sequence[BagRow]) -> None:
-        part = self.bags.with_suffix(".part")
-        write_bags(sorted(rows, key=lambda row: (row.path, row.settings)), part)
-        part.replace(self.bags)
+        with _whole_or_not_at_all(self.bags, self.bags.parent) as part:
+            write_bags(sorted(rows, key=lambda row: (row.path, row.settings)), part)
 
     def _read_hashes(self) -> Dict[str, Tuple[Stat, str]]:
         known: Dict[str, Tuple[Stat, str]] = {}
@@ -72,3 +71,14 @@ class Store:
                 continue  # the end of a line that was cut off: that bag is hashed again
             known[path] = (tuple((name, size, changed) for name, size, changed in stat), bag)
         return known
+
+
+@contextmanager
+def _whole_or_not_at_all(file: Path, folder: Path) -> Iterator[Path]:
+    """What to write in its place. It lies in `folder`: whoever reads all of clouds/ never meets a part, even of a killed run."""
+    part = folder / f"{file.stem}.part"
+    try:
+        yield part
+        part.replace(file)
+    finally:
+        part.unlink(missing_ok=True)  # of what Ctrl-C has ended
