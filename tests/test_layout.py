@@ -216,8 +216,8 @@ def test_the_binding_knows_the_core_alone(file):
     assert list(forbidden_in_bindings(file)) == []
 
 
-@pytest.mark.parametrize("file", files(PYTHON / "simulation", ".py") + files(PYTHON / "trials", ".py"))
-def test_simulation_and_trials_know_no_ros(file):
+@pytest.mark.parametrize("file", files(PYTHON / "simulation", ".py") + files(PYTHON / "trials", ".py") + files(PYTHON / "view", ".py"))
+def test_simulation_trials_and_view_know_no_ros(file):
     assert list(forbidden_without_ros(file)) == []
 
 

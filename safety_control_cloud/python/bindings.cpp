@@ -48,7 +48,8 @@ void bind_control(py::module& module) {
            py::arg("ros_now") = py::none(), py::arg("camera") = py::none(), py::arg("source") = "",
            py::arg("frame") = "")
       .def("without_cloud", &without_cloud, py::arg("now"), py::arg("ros_now") = py::none())
-      .def("forget_losses", &core::SafetyControl::forget_losses);
+      .def("forget_losses", &core::SafetyControl::forget_losses)
+      .def("remembered", &core::SafetyControl::remembered);
 }
 
 }  // namespace

@@ -68,6 +68,8 @@ judge_packages=(
 )
 s3_packages=('s3fs==2026.9.0; python_version >= "3.10"' 'universal_pathlib==0.3.10; python_version >= "3.10"')
 cluster_packages=('distributed==2026.8.0; python_version >= "3.10"')
-view_packages=('rerun-sdk==0.41.0; python_version >= "3.10"')
+view_packages=("${judge_packages[0]}" 'attrs>=23.1' 'psutil>=7')
+# It asks for numpy 2 and works with the system's, beside which no other one may lie.
+view_packages_alone=('rerun-sdk==0.41.0; python_version >= "3.11"')
 check_groups=(judge s3 cluster s3_server)
 s3_server_packages=('moto[server]==5.2.5; python_version >= "3.10"')  # an S3 server for tests

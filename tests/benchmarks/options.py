@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What to measure, by the command line; needs Python alone."""
 import argparse
-from pathlib import Path
+
+from safety_control_cloud.view.options import writable
 
 PARTS = ("kernel", "nodes", "depth", "cameras", "judge")
 EPILOG = """\
@@ -18,8 +19,8 @@ def arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="scripts/bench", description="Measures what a decision costs, and beside what.", epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--json", type=Path, metavar="FILE", help="write all figures there")
-    parser.add_argument("--plot", type=Path, metavar="FILE", help="draw time over points there")
+    parser.add_argument("--json", type=writable, metavar="FILE", help="write all figures there")
+    parser.add_argument("--plot", type=writable, metavar="FILE", help="draw time over points there")
     parser.add_argument("--quick", action="store_true", help="VGA only, less often, no callgrind: < 2 minutes")
     parser.add_argument("--only", choices=PARTS, action="append", help="this part; may be repeated")
     parser.add_argument("--repetitions", type=int, metavar="N", help="of every case; medians are shown (3, quick: 2)")

@@ -214,6 +214,8 @@ class SafetyControl:
     def forget_losses(self) -> None:
         """Forgets the near obstacles that were lost from sight (NEAR_LOSS), and how much and how soon the camera used to
         show (BLIND, STALE): somebody has looked."""
+    def remembered(self) -> List[str]:
+        """What is near or lost, a text for each camera, as the node keeps it in ~lost/things; empty if nothing is."""
 
 def look(
     cloud: Union[Cloud, np.ndarray], settings: Settings = ..., crop: bool = False, camera: Optional[np.ndarray] = None

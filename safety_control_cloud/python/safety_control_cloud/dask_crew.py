@@ -10,14 +10,10 @@ from distributed import Client, Future
 from distributed.client import FutureCancelledError, FuturesCancelledError
 from distributed.scheduler import KilledWorker
 
-from safety_control_cloud.dispatch import WorkerDied
+from safety_control_cloud.dispatch import ClusterError, WorkerDied
 
 NONE_LEFT = 60.0  # [s] that a cluster may be without a worker
 TAKING = 30.0  # [s] that a result may take from its worker to here
-
-
-class ClusterError(RuntimeError):
-    """The cluster cannot be used. str() is one line that says why."""
 
 
 class DaskCrew:

@@ -18,6 +18,14 @@ class WorkerDied(RuntimeError):
     """And its job with it."""
 
 
+class ClusterError(RuntimeError):
+    """The workers cannot be used. str() is one line that says why."""
+
+
+class Lost(RuntimeError):
+    """A job without a result. str() is one line that says why."""
+
+
 @dataclass(frozen=True)
 class Fatal:
     """In place of a result: the job has ended so many workers."""

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 from __future__ import annotations
 
+import subprocess
+import sys
+from pathlib import Path
+
 import pytest
 from rich.console import Console
 
@@ -19,13 +23,33 @@ def test_a_drive_to_replay_is_named_by_family_and_seed():
 
 
 @pytest.mark.parametrize(
-    "arguments", [["--replay", "wall"], ["--replay", "nowhere:1"], ["--jobs", "0"], ["--video", "a.gif"], ["--family", "x"]]
+    "arguments", [["--replay", "wall"], ["--replay", "nowhere:1"], ["--jobs", "0"], ["--video", "a.gif"], ["--family", "x"],
+                  ["--rrd", "a.rrd"], ["--view"], ["--replay", "wall:1", "--rrd", "a.txt"]]
 )
 def test_what_cannot_be_driven_is_refused(arguments, capsys):
     with pytest.raises(SystemExit) as ended:
         options(arguments)
     assert ended.value.code == 2
     assert "usage" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "arguments", [["--report", "/proc/nowhere"], ["--report", "{file}"], ["--json", "/nowhere/a.json"], ["--json", "/"],
+                  ["--replay", "wall:1", "--video", "/nowhere/a.gif"], ["--replay", "wall:1", "--rrd", "/proc/a.rrd"]])
+def test_what_cannot_be_written_is_refused_before_the_drives(arguments, capsys, tmp_path):
+    (tmp_path / "file").touch()
+    with pytest.raises(SystemExit) as ended:
+        options([word.format(file=tmp_path / "file") for word in arguments])
+    assert ended.value.code == 2
+    assert "cannot write" in capsys.readouterr().err.splitlines()[-1]
+
+
+@pytest.mark.parametrize("command", [
+    ["-m", "safety_control_cloud.demo", "--out", "/proc/nowhere"],
+    [str(Path(__file__).resolve().parents[2] / "benchmarks"), "--json", "/nowhere/a.json"]])
+def test_demo_and_bench_too_refuse_it_at_once(command):
+    result = subprocess.run([sys.executable, *command], capture_output=True, text=True, timeout=60)
+    assert result.returncode == 2 and "cannot write" in result.stderr.splitlines()[-1]
 
 
 def test_a_drive_is_told_and_filmed(tmp_path):

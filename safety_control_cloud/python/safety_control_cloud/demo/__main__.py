@@ -6,8 +6,10 @@ import argparse
 import sys
 from pathlib import Path
 
+from ..optional import MissingPackages
 from ..processes import ProcessError, end_on_sigterm
 from ..simulation.world_files import world_file, world_names
+from ..view.options import add_to, folder, recorded_in
 
 
 def main(argv: list[str]) -> int:
@@ -18,8 +20,9 @@ def main(argv: list[str]) -> int:
                         help=f"{', '.join(world_names())}, or an MJCF file (%(default)s)")
     parser.add_argument("--simulator", default="mujoco", choices=("mujoco", "gazebo"), help="(%(default)s)")
     parser.add_argument("--rviz", action="store_true", help="open rviz beside it")
-    parser.add_argument("--out", type=Path, default=Path("safety_demo"), help="folder for the picture and the bag")
+    parser.add_argument("--out", type=folder, default=Path("safety_demo"), help="folder for the picture and the bag")
     parser.add_argument("--patience", type=float, default=60.0, help="[s] a drive may take (%(default)s)")
+    add_to(parser)
     arguments = parser.parse_args(argv)
     import rospy  # after the arguments: --help needs Python alone
 
@@ -33,9 +36,13 @@ def main(argv: list[str]) -> int:
         except ProcessError as missing:
             print(f"demo: {missing}", file=sys.stderr)
             return 2
-    options = Options(arguments.world, arguments.simulator, arguments.out, arguments.rviz, arguments.patience)
     try:
-        return 0 if run(options) else 1
+        with recorded_in(arguments.rrd, arguments.view) as rrd:
+            return 0 if run(Options(
+                arguments.world, arguments.simulator, arguments.out, arguments.rviz, arguments.patience, rrd)) else 1
+    except MissingPackages as error:
+        print(f"demo: {error}", file=sys.stderr)
+        return 2
     except (ProcessError, rospy.ROSException) as error:
         print(f"demo: {error}; see {arguments.out / 'roslaunch.log'}", file=sys.stderr)
         return 2

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -30,6 +30,7 @@ class Options:
     folder: Path  # for picture, bag and logs
     rviz: bool
     patience: float  # [s] of simulated time for a drive
+    rrd: Path | None = None  # a recording for the viewer
 
 
 def run(options: Options) -> bool:
@@ -41,7 +42,12 @@ def run(options: Options) -> bool:
     console = Console(highlight=False, soft_wrap=True)
     with roscore(), _launched(options) as launch:
         _join(launch)
-        with process([sys.executable, "-m", "safety_control_cloud.demo.bag", str(options.folder / "run.bag")]):
+        with ExitStack() as recorders:
+            recorders.enter_context(
+                process([sys.executable, "-m", "safety_control_cloud.demo.bag", str(options.folder / "run.bag")]))
+            if options.rrd:
+                recorders.enter_context(process([sys.executable, "-m", "safety_control_cloud.commands.view_node",
+                                                 "--rrd", str(options.rrd.absolute()), "--odometry", "/odom"]))
             approaches = _drive(launch, options.patience, console)
         rospy.signal_shutdown("the demo is over")
     return _report(approaches, options, console)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 
+from safety_control_cloud.optional import MissingPackages
 from safety_control_cloud.processes import ProcessError, end_on_sigterm
 from safety_control_cloud.replay.options import request_of
 
@@ -20,7 +21,7 @@ def main() -> int:
     end_on_sigterm()
     try:
         replay(request)
-    except (BagError, BadParameters, BadSettings) as error:
+    except (BagError, BadParameters, BadSettings, MissingPackages) as error:
         return _complain(error, UNUSABLE)
     except (NoAnswer, ProcessError, OSError) as error:
         return _complain(error, FAILED)

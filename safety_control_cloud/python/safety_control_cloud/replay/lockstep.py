@@ -9,7 +9,7 @@ import struct
 import time
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Dict, Iterator, Mapping, Optional, Sequence, Tuple, Type
+from typing import Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Type
 
 import rospy
 from genpy import Message
@@ -25,6 +25,7 @@ from safety_control_cloud.ros_session import node, roscore
 
 ANSWER_TIMEOUT = 30.0  # [s]
 TRANSFORMS_TAKE = 0.05  # [s] to the node
+REMEMBERED = "/safety_control_cloud/lost/things"
 REFUSAL = "cannot start with these parameters"  # as the node says it
 
 
@@ -124,6 +125,10 @@ class Lockstep:
         for publisher, part in zip(self._parts, cloud.parts):
             publisher.publish(_stamped(part, cloud.stamp, self._sent))
         return _answer(cloud, self._state_of(self._sent, f"the cloud of {cloud.stamp / 1e9:.3f} s"))
+
+    def remembered(self) -> List[str]:
+        """What the node last wrote down of what is near or lost; at most half a second old."""
+        return list(rospy.get_param(REMEMBERED, []))
 
     def _move(self, cloud: RecordedCloud) -> None:
         """Transforms have a way of their own to the node, and it does not tell when they are there."""

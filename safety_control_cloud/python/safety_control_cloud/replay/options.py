@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Dict, Mapping, Optional, Sequence, Tuple
 
+from safety_control_cloud.view import options as view
+
 PURPOSE = "Tells what the safety node would have said to every cloud of a bag."
 PICTURES = (".png", ".pdf", ".svg")
 
@@ -22,6 +24,8 @@ class Request:
     plot: Optional[Path] = None
     around: Optional[int] = None  # only the clouds next to this one, from 0, stand in the table
     settings: Optional[Path] = None  # a file of parameters; `parameters` go before
+    rrd: Optional[Path] = None
+    view: bool = False
 
 
 def request_of(arguments: Optional[Sequence[str]] = None) -> Request:
@@ -34,14 +38,15 @@ def request_of(arguments: Optional[Sequence[str]] = None) -> Request:
                         help="a private parameter of the node, e.g. --param danger_distance=0.6; may be repeated")
     parser.add_argument("--settings", metavar="F.yaml", type=Path, help="parameters, as in config/default.yaml")
     parser.add_argument("--around", metavar="N", type=int, help="show only the clouds next to this one, from 0")
-    parser.add_argument("--json", metavar="F", type=_writable, help="write the table as a list of objects")
+    parser.add_argument("--json", metavar="F", type=view.writable, help="write the table as a list of objects")
     parser.add_argument("--plot", metavar="F.png", type=_picture, help="draw distance and speed over time")
+    view.add_to(parser)
     given = parser.parse_args(arguments)
     parameters: Dict[str, str] = dict(given.param)
     if given.method:
         parameters["method"] = given.method
     return Request(tuple(given.bags), given.topic, parameters, given.json, given.plot, given.around,
-                   given.settings)
+                   given.settings, given.rrd, given.view)
 
 
 def _parameter(text: str) -> Tuple[str, str]:
@@ -51,14 +56,7 @@ def _parameter(text: str) -> Tuple[str, str]:
     return name.lstrip("~_"), value
 
 
-def _writable(text: str) -> Path:
-    path = Path(text)
-    if path.is_dir() or not path.absolute().parent.is_dir():
-        raise argparse.ArgumentTypeError(f"cannot write {text}")
-    return path
-
-
 def _picture(text: str) -> Path:
     if Path(text).suffix not in PICTURES:
         raise argparse.ArgumentTypeError(f"{text!r} does not end in {', '.join(PICTURES)}")
-    return _writable(text)
+    return view.writable(text)

@@ -2,7 +2,8 @@
 """From bags to a table."""
 from __future__ import annotations
 
-from typing import Dict, List, Mapping
+from pathlib import Path
+from typing import Dict, List, Mapping, Optional
 
 from safety_control_cloud import core
 from safety_control_cloud.replay.lockstep import Answer, safety_node
@@ -10,15 +11,23 @@ from safety_control_cloud.replay.options import Request
 from safety_control_cloud.replay.parameters import parameters_in, settings_of
 from safety_control_cloud.replay.recording import Recording, recording
 from safety_control_cloud.replay.report import print_table, with_progress, write_json
+from safety_control_cloud.replay.show import shown_in
 from safety_control_cloud.replay.silence import silences
+from safety_control_cloud.view.options import recorded_in
 
 
 def replay(request: Request) -> List[Answer]:
-    """Raises parameters.BadSettings, bags.BagError, lockstep.BadParameters, lockstep.NoAnswer, processes.ProcessError."""
+    """Raises parameters.BadSettings, bags.BagError, lockstep.BadParameters, lockstep.NoAnswer, processes.ProcessError,
+    optional.MissingPackages."""
+    with recorded_in(request.rrd, request.view) as rrd:
+        return _replay(request, rrd)
+
+
+def _replay(request: Request, rrd: Optional[Path]) -> List[Answer]:
     parameters = _parameters(request)
     moving = bool(parameters.get("target_frame"))
     with recording(request.bags, request.topic, moving) as recorded:
-        answers = answers_to(recorded, parameters)
+        answers = answers_to(recorded, parameters, rrd)
         title = f"{', '.join(bag.name for bag in request.bags)}  {recorded.topic}"
         end = recorded.end
     settings = settings_of(_known(parameters))
@@ -33,9 +42,17 @@ def replay(request: Request) -> List[Answer]:
     return answers
 
 
-def answers_to(recorded: Recording, parameters: Mapping[str, str]) -> List[Answer]:
+def answers_to(recorded: Recording, parameters: Mapping[str, str], rrd: Optional[Path] = None) -> List[Answer]:
+    clouds = with_progress(recorded.clouds, recorded.count)
     with safety_node(parameters, recorded.source) as node:
-        return [node.answer_to(cloud) for cloud in with_progress(recorded.clouds, recorded.count)]
+        if not rrd:
+            return [node.answer_to(cloud) for cloud in clouds]
+        with shown_in(rrd, settings_of(_known(parameters))) as show:
+            answers = []
+            for cloud in clouds:
+                answers.append(node.answer_to(cloud))
+                show(cloud, answers[-1], node.remembered())
+            return answers
 
 
 def _parameters(request: Request) -> Dict[str, str]:

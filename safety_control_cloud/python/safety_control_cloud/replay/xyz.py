@@ -17,7 +17,7 @@ def points_of(sighting: Sighting) -> Optional[np.ndarray]:
     if sighting.cloud.unreadable is not None:
         return None
     if isinstance(sighting.content, Points):
-        return _xyz(sighting.content)
+        return xyz_of(sighting.content)
     assert sighting.camera
     return _projected(metres_of(sighting.content), sighting.camera)
 
@@ -32,7 +32,8 @@ def metres_of(image: Image) -> np.ndarray:
     return np.where(pixels == 0, np.nan, pixels / 1000.0).astype(np.float32)
 
 
-def _xyz(points: Points) -> np.ndarray:
+def xyz_of(points: Points) -> np.ndarray:
+    """(height, width, 3) float32 [m]. Raises KeyError or ValueError where the layout contradicts itself."""
     order, by_name = ">" if points.is_bigendian else "<", {field[0]: field for field in points.fields}
     columns = []
     for name in "xyz":

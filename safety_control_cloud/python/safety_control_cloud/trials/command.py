@@ -11,9 +11,10 @@ from shlex import quote
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
+from ..view.options import recorded_in
 from .names import METHODS
 from .outcome import Outcome
-from .run import drive_all, jobs_for
+from .run import Job, drive_all, jobs_for
 from .summary import is_collision, to_json
 from .table import table_of, verdict_of
 
@@ -29,12 +30,13 @@ def run(given: argparse.Namespace) -> int:
 def _replay(given: argparse.Namespace, methods: Sequence[str]) -> int:
     from .replay import replay
 
-    replay(*given.replay, methods, given.video, _console())
+    with recorded_in(given.rrd, given.view) as rrd:
+        replay(*given.replay, methods, given.video, _console(), rrd)
     return 0
 
 
 def _drive(given: argparse.Namespace, methods: Sequence[str]) -> int:
-    outcomes = _with_progress(jobs_for(given.episodes, given.seed, methods, given.family), given.jobs)
+    outcomes = _with_progress(jobs_for(given.episodes, given.seed, methods, given.family), given)
     console = _console()
     console.print(table_of(outcomes))
     for line in verdict_of(outcomes):
@@ -56,8 +58,9 @@ def _console() -> Console:
     return Console(width=None if sys.stdout.isatty() else 130)
 
 
-def _with_progress(jobs, workers: int) -> list[Outcome]:
+def _with_progress(jobs: Sequence[Job], given: argparse.Namespace) -> list[Outcome]:
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
         task = progress.add_task("drives", total=len(jobs))
-        return drive_all(jobs, workers, lambda outcome: progress.advance(task))
+        say = progress.console.print
+        return drive_all(jobs, given.jobs, lambda outcome: progress.advance(task), given.scheduler, say)

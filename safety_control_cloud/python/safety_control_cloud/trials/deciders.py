@@ -43,15 +43,20 @@ class Ours:
 
         self._xtion = xtion
         parameters = core.Settings(**settings)
-        self._control = core.SafetyControl(parameters)
+        self.control = core.SafetyControl(parameters)
+        self.decision: Decision | None = None  # the latest
         self.repeats: float | None = 1 / parameters.publish_rate
 
     def decide(self, depth: NDArray[np.float32], stamp: float, now: float) -> Verdict:
         cloud = points(depth, self._xtion)
-        return _verdict(self._control.decide(cloud, now=now, stamp=_EPOCH + stamp, ros_now=_EPOCH + now))
+        return self._said(self.control.decide(cloud, now=now, stamp=_EPOCH + stamp, ros_now=_EPOCH + now))
 
     def without_cloud(self, now: float) -> Verdict:
-        return _verdict(self._control.without_cloud(now, ros_now=_EPOCH + now))
+        return self._said(self.control.without_cloud(now, ros_now=_EPOCH + now))
+
+    def _said(self, decision: Decision) -> Verdict:
+        self.decision = decision
+        return Verdict(decision.zone.name.capitalize(), decision.speed, decision.cause.name)
 
 
 def tutorial_verdict(nearest: float) -> Verdict:
@@ -81,7 +86,3 @@ class Tutorial:
 def decider_for(method: str, scenario: Scenario) -> Decider:
     """One of names.METHODS."""
     return Ours(dict(scenario.settings)) if method == "ours" else Tutorial()
-
-
-def _verdict(decision: Decision) -> Verdict:
-    return Verdict(decision.zone.name.capitalize(), decision.speed, decision.cause.name)

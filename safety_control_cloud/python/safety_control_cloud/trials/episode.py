@@ -23,11 +23,16 @@ _TICKS_A_PICTURE = round(1 / (XTION.rate * TICK))
 Watch = "Callable[[Stage, Moment], None]"
 
 
-def episode(scenario: Scenario, method: str, watch: Watch = lambda stage, moment: None) -> Outcome:
-    """Drive it by `method` and judge it; `watch` sees every moment. The same arguments give the same outcome."""
+def episode(
+    scenario: Scenario, method: str, watch: Watch = lambda stage, moment: None, decider: Decider | None = None
+) -> Outcome:
+    """Drive it by `method` and judge it; `watch` sees every moment. The same arguments give the same outcome.
+
+    `decider`, if not the method's own, is one that somebody looks into.
+    """
     stage, judge = Stage(scenario), Judge(scenario, method)
     try:
-        for moment in moments(scenario, stage, decider_for(method, scenario)):
+        for moment in moments(scenario, stage, decider or decider_for(method, scenario)):
             judge.see(moment)
             watch(stage, moment)
             if judge.is_over:

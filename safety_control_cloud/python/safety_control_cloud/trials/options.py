@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from os import cpu_count
 from pathlib import Path
 
+from ..view import options as view
 from .names import FAMILIES, METHODS
 
 PURPOSE = "Randomised drives in simulation: does the robot run into things?"
@@ -23,14 +24,17 @@ def options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     parser.add_argument("--method", choices=(*METHODS, "both"), default="both", help="[%(default)s]")
     parser.add_argument("--family", choices=FAMILIES, action="append", default=[], metavar="F",
                         help=f"only this one; may be repeated: {', '.join(FAMILIES)}")
-    parser.add_argument("--json", metavar="F", type=Path, help="write the table and every outcome")
-    parser.add_argument("--report", metavar="DIR", type=Path,
+    parser.add_argument("--json", metavar="F", type=view.writable, help="write the table and every outcome")
+    parser.add_argument("--report", metavar="DIR", type=view.folder,
                         help="write a page with the table, histograms and our collisions")
     parser.add_argument("--replay", metavar="FAMILY:SEED", type=_scenario, help="one drive, told moment by moment")
-    parser.add_argument("--video", metavar="F.gif", type=Path, help="with --replay: what the robot saw and where it went")
+    parser.add_argument("--video", metavar="F.gif", type=view.writable, help="with --replay: what the robot saw and where it went")
+    view.add_to(parser)
+    parser.add_argument("--scheduler", metavar="ADDRESS", help="drive on the workers of this Dask scheduler")
     given = parser.parse_args(arguments)
-    if given.video and not given.replay:
-        parser.error("--video goes with --replay")
+    for name in ("video", "rrd", "view"):
+        if getattr(given, name) and not given.replay:
+            parser.error(f"--{name} goes with --replay")
     return given
 
 

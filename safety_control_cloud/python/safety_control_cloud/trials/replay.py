@@ -19,8 +19,10 @@ from .stage import Stage
 FRAME_TIME = 0.2  # [s] between two pictures of the film
 
 
-def replay(family: str, seed: int, methods: Sequence[str], video: Path | None, console: Console) -> None:
-    """Prints what happened, and films the last of the methods."""
+def replay(
+    family: str, seed: int, methods: Sequence[str], video: Path | None, console: Console, rrd: Path | None = None
+) -> None:
+    """Prints what happened, and films or records the last of the methods."""
     scenario = scenario_of(family, seed)
     console.print(f"{scenario.name}  " + ", ".join(f"{name} {value:g}" for name, value in scenario.facts), highlight=False)
     for method in methods:
@@ -31,6 +33,10 @@ def replay(family: str, seed: int, methods: Sequence[str], video: Path | None, c
     if video:
         _film(scenario, methods[-1], video)
         console.print(f"film of {methods[-1]}: {video}")
+    if rrd:
+        from .show import record
+
+        record(scenario, methods[-1], rrd)
 
 
 def moments_of(scenario: Scenario, method: str) -> tuple[list[Moment], Outcome]:

@@ -2,14 +2,17 @@
 """Many drives, in as many processes as one likes: the outcomes are the same."""
 from __future__ import annotations
 
-import multiprocessing
-import os
-import signal
-from collections.abc import Callable, Sequence
+import hashlib
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
 
 import safety_control_cloud
 
+from ..dispatch import Fatal, Lost, shared_out
+from ..local_crew import LocalCrew
 from .families import FAMILIES
 from .outcome import Outcome
 
@@ -36,25 +39,42 @@ def drive(job: Job) -> Outcome:
 
 
 def drive_all(
-    jobs: Sequence[Job], workers: int, on_outcome: Callable[[Outcome], None] = lambda outcome: None
+    jobs: Sequence[Job], workers: int, on_outcome: Callable[[Outcome], None] = lambda outcome: None,
+    scheduler: str | None = None, say: Callable[[str], None] = print
 ) -> list[Outcome]:
-    """The outcomes in the order of the jobs. `on_outcome` hears of each as soon as it is there, in any order."""
-    outcomes: dict[int, Outcome] = {}
-    context, package = multiprocessing.get_context("spawn"), list(safety_control_cloud.__path__)
-    with context.Pool(min(workers, len(jobs)) or 1, _be_a_worker, (package,)) as pool:
-        for place, outcome in pool.imap_unordered(_numbered, list(enumerate(jobs))):
-            outcomes[place] = outcome
+    """The outcomes in the order of the jobs. `on_outcome` hears of each as soon as it is there, in any order.
+
+    Raises dispatch.Lost for a drive that its workers do not survive, dispatch.ClusterError.
+    """
+    outcomes: dict[Job, Outcome] = {}
+    with _crew(min(workers, len(jobs)) or 1, scheduler, say) as crew:
+        for job, outcome in shared_out(jobs, drive, crew):
+            if isinstance(outcome, Fatal):
+                raise Lost(f"{outcome.deaths} workers died over {job.family}:{job.seed}, {job.method}")
+            outcomes[job] = outcome
             on_outcome(outcome)
-    return [outcomes[place] for place in range(len(jobs))]
+    return [outcomes[job] for job in jobs]
 
 
-def _numbered(numbered: tuple[int, Job]) -> tuple[int, Outcome]:
-    place, job = numbered
-    return place, drive(job)
+def version() -> str:
+    """Of what drives: of the compiled core, and of all modules that a drive may come through."""
+    from .. import core
+
+    whole = hashlib.sha256(Path(core.__file__).read_bytes())
+    for room in ("simulation", "trials"):
+        for folder in {Path(place) / room for place in safety_control_cloud.__path__}:
+            for file in sorted(folder.rglob("*.py")):
+                whole.update(file.read_bytes())
+    return whole.hexdigest()[:16]
 
 
-def _be_a_worker(package: list[str]) -> None:
-    """`package`: where the parent has it. In a catkin devel space a spawned process finds the sources alone."""
-    safety_control_cloud.__path__ = package
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to hear
-    os.environ.setdefault("LP_NUM_THREADS", "1")  # Mesa would take every core for each process
+@contextmanager
+def _crew(workers: int, scheduler: str | None, say: Callable[[str], None]) -> Iterator[Any]:
+    if scheduler:
+        from ..dask_crew import DaskCrew  # Dask is needed here alone
+
+        with DaskCrew(scheduler, version, say) as crew:
+            yield crew
+    else:
+        with LocalCrew(workers) as crew:
+            yield crew

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Answers as moments for the viewer."""
+from __future__ import annotations
+
+from contextlib import contextmanager
+from dataclasses import asdict
+from pathlib import Path
+from typing import Callable, Iterator, Optional, Sequence
+
+from safety_control_cloud import core
+from safety_control_cloud.replay.lockstep import Answer
+from safety_control_cloud.replay.recording import RecordedCloud
+from safety_control_cloud.replay.silence import Silence, silences
+from safety_control_cloud.replay.wire import Image
+from safety_control_cloud.replay.xyz import metres_of, points_of
+from safety_control_cloud.view.memory import spots_in
+from safety_control_cloud.view.moment import Moment, Picture, Pinhole
+from safety_control_cloud.view.picture import depth_of, picture_of
+
+Show = Callable[[RecordedCloud, Answer, Sequence[str]], None]
+
+
+@contextmanager
+def shown_in(file: Path, settings: core.Settings) -> Iterator[Show]:
+    """What to call with each cloud, its answer and what the node remembers then. Raises OSError."""
+    from safety_control_cloud.view.sink import into_file
+
+    last: list[Moment] = []
+    answered: list[Answer] = []
+
+    def show(cloud: RecordedCloud, answer: Answer, remembered: Sequence[str]) -> None:
+        for silence in silences(answered, answer.time, settings.source_timeout) if answered else ():
+            sink.show(silent(silence))
+        moment = moment_of(cloud, answer, remembered, last[-1].picture if last else None)
+        sink.show(moment)
+        last[:], answered[:] = [moment], [answer]
+
+    with into_file(file, settings) as sink:
+        yield show
+
+
+def moment_of(cloud: RecordedCloud, answer: Answer, remembered: Sequence[str], before: Optional[Picture] = None) -> Moment:
+    return Moment(
+        answer.time / 1e9, answer.zone, answer.cause, answer.reason, answer.nearest, answer.nearest_point, answer.speed,
+        stamp=answer.stamp, picture=_picture(cloud, before), remembered=spots_in(remembered))
+
+
+def silent(silence: Silence) -> Moment:
+    lasts = (silence.end - silence.start) / 1e9
+    return Moment(silence.start / 1e9, "Danger", "SILENT", f"{lasts:.3f} s more without a cloud", None, None, 0.0)
+
+
+def _picture(cloud: RecordedCloud, before: Optional[Picture]) -> Optional[Picture]:
+    sighting = cloud.sighting
+    if sighting is None or sighting.cloud.unreadable is not None:
+        return None
+    if isinstance(sighting.content, Image) and sighting.camera:
+        return depth_of(metres_of(sighting.content), Pinhole(**asdict(sighting.camera)))
+    points = points_of(sighting)
+    return None if points is None else picture_of(points, before)

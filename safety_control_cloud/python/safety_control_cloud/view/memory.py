@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is near or lost from sight, out of the text in which the core keeps it (core/memory/kept.cpp)."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Iterator, List, Sequence
+
+import numpy as np
+
+from safety_control_cloud.view.moment import nothing
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+VERSION = "things-1"
+BEFORE_THINGS = 3  # width, height, blind range
+BEFORE_SPOTS, SPOT = 2, 8  # words
+
+
+def spots_in(texts: Sequence[str]) -> NDArray[np.float32]:
+    """(N, 3) [m]; empty where a text is not understood."""
+    try:
+        found = [spot for text in texts for spot in _spots(iter(text.split()))]
+    except (StopIteration, RuntimeError, ValueError):
+        return nothing()
+    return np.array(found, np.float32).reshape(-1, 3)
+
+
+def _spots(words: Iterator[str]) -> List[List[float]]:
+    found: List[List[float]] = []
+    if next(words, VERSION) != VERSION:
+        raise ValueError("another version")
+    _take(words, BEFORE_THINGS)
+    for _ in range(int(next(words, "0"))):
+        _take(words, BEFORE_SPOTS)
+        for _ in range(int(next(words))):
+            found.append([float(word) for word in _take(words, SPOT)[2:5]])
+    return found
+
+
+def _take(words: Iterator[str], count: int) -> List[str]:
+    return [word for _, word in zip(range(count), words)]

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is shown of one cloud. Frame: the camera's optical one (x right, y down, z forward) [m]."""
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Optional, Tuple, Union
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray  # not in the numpy of Ubuntu 20.04
+
+
+@dataclass(frozen=True)
+class Pinhole:
+    """[px]"""
+
+    fx: float
+    fy: float
+    cx: float
+    cy: float
+
+
+@dataclass(frozen=True)
+class Depth:
+    """What a pinhole camera saw."""
+
+    millimetres: NDArray[np.uint16]  # (height, width), 0: no return
+    camera: Pinhole
+
+
+@dataclass(frozen=True)
+class Points:
+    xyz: NDArray[np.float32]  # (N, 3), finite
+
+
+Picture = Union[Depth, Points]
+
+
+def nothing() -> NDArray[np.float32]:
+    return np.empty((0, 3), np.float32)
+
+
+@dataclass(frozen=True)
+class Moment:
+    """A cloud, and what was decided about it."""
+
+    time: float  # [s] on the clock of the drive
+    zone: str  # Safe, Warning or Danger
+    cause: str
+    reason: str
+    nearest: Optional[float]  # [m]
+    point: Optional[Tuple[float, float, float]]  # that decides; with a target_frame, in that frame
+    speed: float  # [m/s] commanded
+    driven: Optional[float] = None  # [m/s] over the floor, where that is known
+    stamp: Optional[int] = None  # [ns] the cloud's own
+    picture: Optional[Picture] = None
+    remembered: NDArray[np.float32] = field(default_factory=nothing)  # (N, 3) near, or lost from sight

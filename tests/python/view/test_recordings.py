@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Recordings read back: what replay, trials and the node of view.launch put into them, and what a browser shows."""
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any, Set
+
+import numpy as np
+import pytest
+from drives import camera, depth, wall, write_drive
+
+pytest.importorskip("rerun", reason="rerun-sdk is not installed (scripts/setup --with view)")
+
+from safety_control_cloud.view.open import command, free_port, quiet, viewer
+
+WITH_PICTURE = {"/world/camera", "/world/camera/depth"}
+ALWAYS = {"/world/corridor", "/world/limits", "/world/nearest", "/world/remembered", "/distance/nearest", "/distance/warning",
+          "/distance/danger", "/speed/commanded", "/decision/zone", "/decision/cause", "/log"}
+
+
+def run(*arguments: Any, code: int = 0) -> str:
+    result = subprocess.run([str(one) for one in arguments], capture_output=True, text=True, timeout=240)
+    assert result.returncode == code, result.stdout + result.stderr
+    return result.stdout
+
+
+def entities(recording: Path) -> Set[str]:
+    """With their data, by rerun's own tool, which has verified them."""
+    run(viewer(), "rrd", "verify", recording)
+    return set(re.findall(r" - (/\S+) - data columns", run(viewer(), "rrd", "print", recording)))
+
+
+def texts(recording: Path) -> str:
+    return run(viewer(), "rrd", "print", "-vvv", recording)
+
+
+@pytest.fixture(scope="module")
+def driven(tmp_path_factory) -> Path:
+    """A wall that comes nearer, in depth images."""
+    folder = tmp_path_factory.mktemp("driven")
+    records = []
+    for number in range(16):
+        picture = np.full((120, 160), 2000 - 105 * number, np.uint16)
+        picture[:, :30] = 3500
+        records += [depth(0.1 * number, picture), camera(0.1 * number, 160, 120, 140.0)]
+    bag = write_drive(folder / "drive.bag", records)
+    run(sys.executable, "-m", "safety_control_cloud.replay", bag, "--rrd", folder / "drive.rrd")
+    return folder / "drive.rrd"
+
+
+def test_a_replay_of_depth_images_holds_pictures_decisions_and_plots(driven):
+    assert entities(driven) >= ALWAYS | WITH_PICTURE and "/world/points" not in entities(driven)
+    said = texts(driven)
+    assert all(word in said for word in ("Safe", "Warning", "Danger", "nearest obstacle at"))
+
+
+def test_a_replay_of_clouds_that_are_not_organised_holds_points_and_the_silence_between(tmp_path):
+    bag = write_drive(tmp_path / "clouds.bag", [wall(0.1 * n + (2.0 if n > 5 else 0.0), 1.2) for n in range(12)])
+
+    run(sys.executable, "-m", "safety_control_cloud.replay", bag, "--rrd", tmp_path / "clouds.rrd")
+
+    assert entities(tmp_path / "clouds.rrd") >= ALWAYS | {"/world/points"}
+    assert "SILENT" in texts(tmp_path / "clouds.rrd")
+
+
+def test_a_simulated_drive_is_recorded_with_the_speed_over_the_floor(tmp_path):
+    run(sys.executable, "-m", "safety_control_cloud.trials", "--replay", "wall:1", "--method", "ours", "--rrd", tmp_path / "wall.rrd")
+
+    assert entities(tmp_path / "wall.rrd") >= ALWAYS | WITH_PICTURE | {"/speed/driven"}
+
+
+def test_the_page_shows_the_picture_and_the_plots_in_a_real_browser(driven, tmp_path):
+    browser = pytest.importorskip("browser", reason="tornado is not installed (scripts/setup --with cluster)")
+    if browser.CHROMIUM is None:
+        pytest.skip("no chromium")
+    from safety_control_cloud.view.sink import address
+
+    web, data = free_port(), free_port()
+    serving = subprocess.Popen(command(driven, {}, web, data), env=quiet(os.environ), stdout=subprocess.DEVNULL)
+    try:
+        with browser.page(address("127.0.0.1", web, data), tmp_path / "profile") as picture:
+            browser.eventually(lambda: what_is_missing(picture()) == [])
+    finally:
+        serving.kill()
+        serving.wait()
+
+
+def what_is_missing(shown: np.ndarray) -> list:
+    """Of what has to be seen, by its colour: the left half holds scene and picture, the right one the plots."""
+    left, right = shown[:, :900].astype(int), shown[:, 900:].astype(int)
+    colourful = (np.ptp(left, axis=-1) > 60).sum()  # the picture is drawn in the colours of its distances
+    lines = {"nearest": (90, 170, 250), "Safe": (46, 158, 91), "Warning": (232, 163, 23), "Danger": (214, 69, 69)}
+    missing = [name for name, colour in lines.items() if (np.abs(right - colour).sum(axis=-1) < 90).sum() < 100]
+    return missing + ([] if colourful > 20_000 else ["the picture"])
+
+
+def test_the_running_node_is_shown_with_what_it_publishes_anyway(tmp_path):
+    """Beside a camera of its own; the page and its data are there for browsers of other computers."""
+    from safety_control_cloud.processes import process
+    from safety_control_cloud.ros_session import node, roscore
+
+    recording, web, data = tmp_path / "live.rrd", free_port(), free_port()
+    camera_node = [sys.executable, str(Path(__file__).with_name("live_camera.py"))]
+    with roscore(), node("safety_control_node"), process(camera_node):
+        with node("view_node", "--rrd", str(recording)), node("view_node", "--host", "localhost", "--port", str(web), "--data-port", str(data), "__name:=other") as other:
+            page = _page(f"http://localhost:{web}/")
+            time.sleep(6.0)
+            assert "http://localhost" in other.output()
+
+    assert "<html" in page.lower()
+    assert entities(recording) >= ALWAYS | WITH_PICTURE
+    assert "SEEN" in texts(recording)
+
+
+def _page(address: str) -> str:
+    import urllib.request
+
+    deadline = time.monotonic() + 60
+    while True:
+        try:
+            return urllib.request.urlopen(address, timeout=10).read().decode()
+        except OSError:
+            if time.monotonic() > deadline:
+                raise
+            time.sleep(0.3)
