@@ -61,7 +61,7 @@ def record(scenario: Scenario, method: str, file: Path) -> None:
 def moment_of(truth: Truth, watched: Watched) -> Moment:
     decision, verdict = watched.decision, truth.verdict
     nearest = decision.nearest if decision else None
-    reason = decision.reason if decision else "by the tutorial's algorithm"
+    reason = decision.reason if decision else "by the tutorial's algorithm" if watched.picture else "no cloud yet"
     return Moment(
         truth.time, verdict.zone, verdict.cause, reason, nearest.distance if nearest else None,
         nearest.point if nearest and np.isfinite(nearest.point).all() else None, verdict.speed, driven=truth.speed,

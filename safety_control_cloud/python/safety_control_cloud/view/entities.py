@@ -12,7 +12,7 @@ from safety_control_cloud import core
 from safety_control_cloud.view.moment import Depth, Moment, Points
 
 COLOURS = {"Safe": (46, 158, 91), "Warning": (232, 163, 23), "Danger": (214, 69, 69)}
-UNKNOWN, INK, LIMIT, GREY, LOST = (135, 149, 161), (90, 170, 250), (235, 235, 235), (150, 150, 150), (255, 120, 255)
+UNKNOWN, INK, GREY, LOST = (135, 149, 161), (90, 170, 250), (150, 150, 150), (255, 120, 255)
 CAMERA, CORRIDOR, LIMITS, POINT, POINTS, REMEMBERED = (
     f"world/{name}" for name in ("camera", "corridor", "limits", "nearest", "points", "remembered"))
 CAMERA_ELSEWHERE = "camera"  # whose place in the target_frame is not told
@@ -39,7 +39,9 @@ def lasting(settings: core.Settings) -> Entities:
     lines = {f"{DISTANCE}/nearest": INK, f"{DISTANCE}/warning": COLOURS["Warning"], f"{DISTANCE}/danger": COLOURS["Danger"],
              f"{SPEED}/commanded": INK, f"{SPEED}/driven": GREY, f"{SPEED}/safe": COLOURS["Safe"],
              f"{SPEED}/warning": COLOURS["Warning"]}
-    found += [(path, rr.SeriesLines(colors=[colour], names=path.rpartition("/")[2])) for path, colour in lines.items()]
+    for path, colour in lines.items():
+        steps = "StepAfter" if path == f"{SPEED}/commanded" else "Linear"  # a command holds until the next
+        found.append((path, rr.SeriesLines(colors=[colour], names=path.rpartition("/")[2], interpolation_mode=steps)))
     values = list(COLOURS)
     found.append((ZONE, rr.StateConfiguration(values=values, labels=values, colors=_packed(COLOURS.values()))))
     return found
