@@ -2,6 +2,8 @@
 """What a cloud becomes before it is shown; without the viewer."""
 from __future__ import annotations
 
+import argparse
+
 import numpy as np
 import pytest
 
@@ -10,7 +12,7 @@ from safety_control_cloud.optional import MissingPackages
 from safety_control_cloud.view import open as view_open
 from safety_control_cloud.view.memory import spots_in
 from safety_control_cloud.view.moment import Depth, Pinhole, Points
-from safety_control_cloud.view.options import folder, recorded_in, writable
+from safety_control_cloud.view.options import make, recorded_in, writable
 from safety_control_cloud.view.picture import camera_of, depth_of, picture_of, thinned
 
 
@@ -104,4 +106,6 @@ def test_what_can_be_written_is_left_as_it_was(tmp_path):
     (tmp_path / "there").write_text("content")
 
     assert writable(str(tmp_path / "there")).read_text() == "content"
-    assert not writable(str(tmp_path / "new")).exists() and folder(str(tmp_path / "a" / "b")).is_dir()
+    assert not writable(str(tmp_path / "new")).exists()
+    make(tmp_path / "a" / "b", argparse.ArgumentParser())
+    assert (tmp_path / "a" / "b").is_dir()

@@ -9,7 +9,7 @@ from pathlib import Path
 from ..optional import MissingPackages
 from ..processes import ProcessError, end_on_sigterm
 from ..simulation.world_files import world_file, world_names
-from ..view.options import add_to, folder, recorded_in
+from ..view.options import add_to, make, recorded_in
 
 
 def main(argv: list[str]) -> int:
@@ -20,10 +20,11 @@ def main(argv: list[str]) -> int:
                         help=f"{', '.join(world_names())}, or an MJCF file (%(default)s)")
     parser.add_argument("--simulator", default="mujoco", choices=("mujoco", "gazebo"), help="(%(default)s)")
     parser.add_argument("--rviz", action="store_true", help="open rviz beside it")
-    parser.add_argument("--out", type=folder, default=Path("safety_demo"), help="folder for the picture and the bag")
+    parser.add_argument("--out", type=Path, default=Path("safety_demo"), help="folder for the picture and the bag")
     parser.add_argument("--patience", type=float, default=60.0, help="[s] a drive may take (%(default)s)")
     add_to(parser)
     arguments = parser.parse_args(argv)
+    make(arguments.out, parser)
     import rospy  # after the arguments: --help needs Python alone
 
     from ..gazebo_ros import gazebo_ros_executable

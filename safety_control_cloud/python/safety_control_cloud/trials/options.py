@@ -25,13 +25,15 @@ def options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     parser.add_argument("--family", choices=FAMILIES, action="append", default=[], metavar="F",
                         help=f"only this one; may be repeated: {', '.join(FAMILIES)}")
     parser.add_argument("--json", metavar="F", type=view.writable, help="write the table and every outcome")
-    parser.add_argument("--report", metavar="DIR", type=view.folder,
+    parser.add_argument("--report", metavar="DIR", type=Path,
                         help="write a page with the table, histograms and our collisions")
     parser.add_argument("--replay", metavar="FAMILY:SEED", type=_scenario, help="one drive, told moment by moment")
     parser.add_argument("--video", metavar="F.gif", type=view.writable, help="with --replay: what the robot saw and where it went")
     view.add_to(parser)
     parser.add_argument("--scheduler", metavar="ADDRESS", help="drive on the workers of this Dask scheduler")
     given = parser.parse_args(arguments)
+    if given.report:
+        view.make(given.report, parser)
     for name in ("video", "rrd", "view"):
         if getattr(given, name) and not given.replay:
             parser.error(f"--{name} goes with --replay")

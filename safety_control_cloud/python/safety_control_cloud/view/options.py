@@ -37,16 +37,14 @@ def writable(text: str) -> Path:
     return path
 
 
-def folder(text: str) -> Path:
-    """One that can be written to; it is made."""
-    path = Path(text)
+def make(folder: Path, parser: argparse.ArgumentParser) -> None:
+    """One that can be written to. Not while arguments are read: --help makes nothing."""
     try:
-        path.mkdir(parents=True, exist_ok=True)
+        folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise argparse.ArgumentTypeError(f"cannot write {text}: {error.strerror}") from error
-    if not os.access(path, os.W_OK | os.X_OK):
-        raise argparse.ArgumentTypeError(f"cannot write {text}")
-    return path
+        parser.error(f"cannot write {folder}: {error.strerror}")
+    if not os.access(folder, os.W_OK | os.X_OK):
+        parser.error(f"cannot write {folder}")
 
 
 @contextmanager
