@@ -97,7 +97,7 @@ def test_the_episodes_are_shared_out_evenly():
 
 
 def test_the_tutorial_drives_into_a_post_in_its_blind_zone_and_this_node_does_not():
-    tutorial, ours = (drive(Job("post_in_the_blind_zone", 0, method)) for method in ("tutorial", "ours"))
+    tutorial, ours = (drive(Job("post_in_the_blind_zone", 4, method)) for method in ("tutorial", "ours"))
     assert is_collision(tutorial) and not is_collision(ours)
 
 
