@@ -24,6 +24,7 @@ ROOMS_OF_CORE = {
     "memory": {"text", "input", "look", "doubt"},
     "path": set(),
     "speed": {"text", "path"},
+    "guard": {"text", "input", "look", "doubt", "path", "speed"},
 }
 KERNEL_OF_LOOK = "look/look.cpp"  # the one door from the room into its kernel
 ROOMS_OF_ROS = {"command": set(), "input": set(), "memory": set(), "output": set()}

@@ -64,7 +64,9 @@ void bind_results(py::module& module) {
       .value("LOW_OBSTACLE", core::Cause::LowObstacle)
       .value("TWO_COMMANDERS", core::Cause::TwoCommanders)
       .value("WRONG_VIEW", core::Cause::WrongView)
-      .value("NO_TIME", core::Cause::NoTime);
+      .value("NO_TIME", core::Cause::NoTime)
+      .value("NO_COMMAND", core::Cause::NoCommand)
+      .value("BAD_COMMAND", core::Cause::BadCommand);
   py::class_<core::Obstacle>(module, "Obstacle")
       .def_property_readonly("distance", &core::Obstacle::distance)
       .def_property_readonly("point", &point_of)

@@ -17,6 +17,8 @@ py::object object_of(const Value& value) {
   }
 }
 
+py::object object_of(const core::Lists& lists) { return py::str(lists.text); }
+
 template <class Choice, class Named>
 void take_choice(const py::handle& given, Choice& value, Named named, const char* otherwise) {
   const auto choice = py::isinstance<py::str>(given) ? named(given.cast<std::string>()) : std::nullopt;
@@ -36,6 +38,10 @@ void take(const py::handle& given, Value& value, const std::string& name) {
   } catch (const py::cast_error&) {
     throw py::type_error(name + " must be " + kind_of(value));
   }
+}
+void take(const py::handle& given, core::Lists& value, const std::string& name) { take(given, value.text, name); }
+void take(const py::handle& given, core::Mode& value, const std::string&) {
+  take_choice(given, value, core::mode_named, "mode must be 'drive' or 'guard'");
 }
 void take(const py::handle& given, core::InputKind& value, const std::string&) {
   take_choice(given, value, core::input_named, "input must be 'cloud' or 'depth'");
@@ -87,7 +93,7 @@ void bind_settings(py::module& module) {
       .def("__repr__",
            [](const core::Settings& settings) { return py::str("Settings({})").format(parameters_of(settings)); })
       .def("as_dict", &parameters_of)
-      .def("problems", &core::problems_in);
+      .def("problems", [](const core::Settings& settings) { return core::problems_in(settings); });
 }
 
 }  // namespace bindings

@@ -10,8 +10,7 @@
 #include <string>
 
 #include "input/receive_memory.hpp"
-#include "parameters.hpp"
-#include "safety_node.hpp"
+#include "nodes.hpp"
 
 namespace {
 
@@ -40,7 +39,7 @@ void answer_requests_to_end() {
 /// Runs the node until it is asked to end; leaving the scope publishes the zero command.
 void run() {
   using namespace safety_control_cloud;
-  SafetyNode node(ros::NodeHandle(), ros::NodeHandle("~"), Delivery::InPlace);
+  const auto node = node_of(ros::NodeHandle(), ros::NodeHandle("~"), Delivery::InPlace);
   while (!asked_to_end && ros::ok()) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
   if (another_has_started) {
     ROS_FATAL("another node has started as %s, and so this one ends: do two launch files start it? End one of them.",

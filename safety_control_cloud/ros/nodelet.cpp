@@ -5,7 +5,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "command/last_word.hpp"
-#include "safety_node.hpp"
+#include "nodes.hpp"
 
 namespace safety_control_cloud {
 
@@ -13,11 +13,11 @@ namespace safety_control_cloud {
 /// Parameters that are unfit to drive with keep it from loading.
 class SafetyControlNodelet : public nodelet::Nodelet {
   void onInit() override {
-    node_ = std::make_unique<SafetyNode>(getNodeHandle(), getPrivateNodeHandle(), Delivery::Shared);
+    node_ = node_of(getNodeHandle(), getPrivateNodeHandle(), Delivery::Shared);
     last_word_ = std::make_unique<LastWord>([this] { node_->end(); });
   }
 
-  std::unique_ptr<SafetyNode> node_;
+  std::unique_ptr<Node> node_;
   std::unique_ptr<LastWord> last_word_;  ///< of the node: goes before it
 };
 

@@ -4,8 +4,11 @@
 #include <XmlRpcValue.h>
 
 #include <algorithm>
+#include <iomanip>
+#include <locale>
 #include <numeric>
 #include <optional>
+#include <sstream>
 
 namespace safety_control_cloud {
 namespace {
@@ -67,6 +70,24 @@ std::optional<double> number_in(XmlRpcValue value) {
   return std::nullopt;
 }
 
+/// Lists of numbers, whatever their depth, as people write them.
+std::optional<std::string> text_of(XmlRpcValue value) {
+  if (const auto number = number_in(value)) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::setprecision(17) << *number;
+    return text.str();
+  }
+  if (value.getType() != XmlRpcValue::TypeArray) return std::nullopt;
+  std::string text;
+  for (int i = 0; i < value.size(); ++i) {
+    const auto item = text_of(value[i]);
+    if (!item) return std::nullopt;
+    text += (i == 0 ? "" : ", ") + *item;
+  }
+  return "[" + text + "]";
+}
+
 /// Takes one ROS parameter into one setting, or says what is wrong with it.
 struct Taking {
   XmlRpcValue given;
@@ -100,6 +121,14 @@ struct Taking {
     return std::nullopt;
   }
 
+  /// Lists of numbers, as YAML has them, or as a text of the same form.
+  std::optional<std::string> into(Lists& setting) const {
+    const auto text = given.getType() == XmlRpcValue::TypeArray ? text_of(given) : std::nullopt;
+    if (text) setting.text = *text;
+    if (text || !into(setting.text)) return std::nullopt;
+    return "must be a list of lists of numbers";
+  }
+
   std::optional<std::string> into(Method& setting) const {
     return into_choice(setting, method_named, "must be one_pass or pcl");
   }
@@ -108,6 +137,9 @@ struct Taking {
   }
   std::optional<std::string> into(InputKind& setting) const {
     return into_choice(setting, input_named, "must be cloud or depth");
+  }
+  std::optional<std::string> into(Mode& setting) const {
+    return into_choice(setting, mode_named, "must be drive or guard");
   }
 
  private:

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace safety_control_cloud {
 namespace {
@@ -34,17 +35,19 @@ Settings settings_with(const Settings& in_force, const SafetyControlConfig& cand
 
 }  // namespace
 
-Reconfigure::Reconfigure(const ros::NodeHandle& private_handle, SafetyControl& control, Log& log)
-    : control_(control), log_(log), server_(private_handle) {
+Reconfigure::Reconfigure(const ros::NodeHandle& private_handle, const Settings& settings, Adopt adopt, Log& log)
+    : settings_(settings), adopt_(std::move(adopt)), log_(log), server_(private_handle) {
   server_.setCallback([this](SafetyControlConfig& candidate, std::uint32_t) { on_candidate(candidate); });
 }
 
 void Reconfigure::on_candidate(SafetyControlConfig& candidate) {
   try {
-    control_.adopt(settings_with(control_.settings(), candidate));
+    const Settings settings = settings_with(settings_, candidate);
+    adopt_(settings);
+    settings_ = settings;
     candidate.refusal.clear();
     in_force_ = candidate;
-    for (const auto& doubt : doubts_about(control_.settings())) log_.warn(doubt);
+    for (const auto& doubt : doubts_about(settings_)) log_.warn(doubt);
   } catch (const std::invalid_argument& problems) {
     candidate = in_force_;
     candidate.refusal = problems.what();

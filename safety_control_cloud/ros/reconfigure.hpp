@@ -5,7 +5,9 @@
 #include <ros/node_handle.h>
 #include <safety_control_cloud/SafetyControlConfig.h>
 
-#include "../core/safety_control.hpp"
+#include <functional>
+
+#include "../core/settings.hpp"
 #include "output/log.hpp"
 
 namespace safety_control_cloud {
@@ -15,12 +17,16 @@ namespace safety_control_cloud {
 /// unwise is said at start, when the server hands over its first candidate, and at every change.
 class Reconfigure {
  public:
-  Reconfigure(const ros::NodeHandle& private_handle, SafetyControl& control, Log& log);
+  /// Goes on with other settings, or throws std::invalid_argument and keeps the old ones.
+  using Adopt = std::function<void(const Settings&)>;
+
+  Reconfigure(const ros::NodeHandle& private_handle, const Settings& settings, Adopt adopt, Log& log);
 
  private:
   void on_candidate(SafetyControlConfig& candidate);
 
-  SafetyControl& control_;
+  Settings settings_;  ///< in force
+  const Adopt adopt_;
   Log& log_;
   /// As it was given: a float32 limit read back would show as -0.30000001192.
   SafetyControlConfig in_force_ = SafetyControlConfig::__getDefault__();

@@ -8,8 +8,8 @@
 
 #include "command/leaving.hpp"
 #include "input/inputs.hpp"
+#include "moments.hpp"
 #include "output/messages.hpp"
-#include "parameters.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -20,27 +20,19 @@ constexpr double kept_period = 0.5;     ///< [s] after which what is near is wri
 constexpr char nothing_known[] = "the ROS master tells nothing of what was near before this start";
 constexpr double slack = 0.1;  ///< [s] by which the node may be late until another thread commands zero
 
-/// [s] Not ros::Time's own difference, which throws beyond 2^31 s: a stamp may be anything.
-double age_of(const std_msgs::Header& cloud) { return ros::Time::now().toSec() - cloud.stamp.toSec(); }
-
-double seconds_since(const ros::SteadyTime& then) { return (ros::SteadyTime::now() - then).toSec(); }
-
-Instant now() { return Instant{ros::SteadyTime::now().toSec(), ros::Time::now().toSec()}; }
-
-/// [s] in which a node that runs does something.
-double longest_gap(const Settings& settings) { return std::max(settings.source_timeout, 2.0 / settings.publish_rate); }
-
 }  // namespace
 
-SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Delivery delivery)
-    : control_(load_settings(private_handle)),
+SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Delivery delivery,
+                       const Settings& settings)
+    : control_(settings),
       awaited_(wanted_by(control_.settings().input, handle, private_handle)),
       keepsake_(private_handle, [this](const std::string& line) { log_.warn(line); }),
       commands_(handle, "cmd_vel_mux/input/teleop", [this] { on_quiet(); }),
       output_(handle.advertise<sensor_msgs::PointCloud2>("output", 1)),
       reports_(private_handle, log_),
       reset_(private_handle.advertiseService("reset", &SafetyNode::on_reset, this)),
-      reconfigure_(private_handle, control_, log_),
+      reconfigure_(
+          private_handle, settings, [this](const Settings& changed) { control_.adopt(changed); }, log_),
       diagnostics_(handle, private_handle) {
   const bool recalled = keepsake_.found() && control_.recall(*keepsake_.found());
   const std::string& target_frame = control_.settings().target_frame;

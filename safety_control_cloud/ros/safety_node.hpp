@@ -16,6 +16,7 @@
 #include "input/input.hpp"
 #include "input/own_gap.hpp"
 #include "memory/keepsake.hpp"
+#include "node.hpp"
 #include "output/diagnostics.hpp"
 #include "output/log.hpp"
 #include "output/reports.hpp"
@@ -25,16 +26,14 @@ namespace safety_control_cloud {
 
 /// Wires SafetyControl to ROS: every cloud leads to exactly one command, and so does every period without one.
 /// Decides nothing itself.
-class SafetyNode {
+class SafetyNode : public Node {
  public:
-  /// Throws BadParameters if the private parameters are unfit to drive with.
-  SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Delivery delivery);
-  ~SafetyNode();  ///< the last command is zero, and has left
+  SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Delivery delivery, const Settings& settings);
+  ~SafetyNode() override;
   SafetyNode(const SafetyNode&) = delete;
   SafetyNode& operator=(const SafetyNode&) = delete;
 
-  /// The last command is zero, whatever arrives. From any thread.
-  void end() { commands_.end(); }
+  void end() override { commands_.end(); }
 
  private:
   void on_arrival(const Arrival& arrival);

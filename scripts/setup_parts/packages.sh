@@ -17,7 +17,7 @@ common_check_packages=(
 debian_packages=(
   ros-core ros-core-dev rosbash catkin                     # ROS itself
   libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev libgeometry-msgs-dev libimage-transport-dev
-  libnodelet-dev libnodeletlib-dev libnodeletlib-tools libpcl-conversions-dev libpcl-ros-dev
+  libnav-msgs-dev libnodelet-dev libnodeletlib-dev libnodeletlib-tools libpcl-conversions-dev libpcl-ros-dev
   libsensor-msgs-dev libstd-srvs-dev libtf2-ros-dev libvisualization-msgs-dev python3-dynamic-reconfigure python3-nodelet
   python3-diagnostic-msgs python3-geometry-msgs python3-nav-msgs python3-rosbag python3-rosgraph-msgs python3-roslaunch
   python3-roslib python3-roslz4 python3-rosmaster python3-rosmsg python3-rosnode python3-rosparam python3-rospkg

@@ -22,7 +22,7 @@ Clock = Callable[[], rospy.Time]
 class Camera:
     """Publishes what it is shown, at its rate, from a thread of its own."""
 
-    def __init__(self, view: View, clock: Clock = rospy.Time.now, rate: float = 20.0) -> None:
+    def __init__(self, view: View, clock: Clock = rospy.Time.now, rate: float = 20.0, topic: str = TOPIC) -> None:
         self.clock = clock  # stamps the clouds
         self.rate = rate  # [Hz]
         self.changed_at = 0.0  # [s] steady clock: of the latest change, as a view's first cloud
@@ -30,7 +30,7 @@ class Camera:
         self._sent = 0
         self._change = threading.Condition()
         self._ended = False
-        self._publisher = rospy.Publisher(TOPIC, PointCloud2, queue_size=2, tcp_nodelay=True)
+        self._publisher = rospy.Publisher(topic, PointCloud2, queue_size=2, tcp_nodelay=True)
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
 

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "../../safety_control_cloud/ros/command/last_word.hpp"
-#include "../../safety_control_cloud/ros/safety_node.hpp"
+#include "../../safety_control_cloud/ros/nodes.hpp"
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "safety_control_cloud");
@@ -18,8 +18,8 @@ int main(int argc, char** argv) {
   ros::NodeHandle of_node, private_of_node("~");
   of_node.setCallbackQueue(&shared);
   private_of_node.setCallbackQueue(&shared);
-  safety_control_cloud::SafetyNode node(of_node, private_of_node, safety_control_cloud::Delivery::Shared);
-  const safety_control_cloud::LastWord last_word([&] { node.end(); });
+  const auto node = safety_control_cloud::node_of(of_node, private_of_node, safety_control_cloud::Delivery::Shared);
+  const safety_control_cloud::LastWord last_word([&] { node->end(); });
 
   using Number = std_msgs::Float64::ConstPtr;
   const auto block = of_node.subscribe<std_msgs::Float64>(

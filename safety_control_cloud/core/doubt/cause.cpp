@@ -37,6 +37,10 @@ const char* name_of(Cause cause) {
       return "WRONG_VIEW";
     case Cause::NoTime:
       return "NO_TIME";
+    case Cause::NoCommand:
+      return "NO_COMMAND";
+    case Cause::BadCommand:
+      return "BAD_COMMAND";
   }
   return "UNKNOWN";
 }

@@ -37,6 +37,8 @@ class Cause:
     TWO_COMMANDERS: Cause
     WRONG_VIEW: Cause
     NO_TIME: Cause
+    NO_COMMAND: Cause
+    BAD_COMMAND: Cause
     name: str
     def __int__(self) -> int: ...
 
@@ -76,6 +78,23 @@ class Settings:
     base_timeout: float
     base_deceleration: float
     hull: float
+    mode: str
+    base_frame: str
+    footprint: str
+    radius: float
+    margin: float
+    self_boxes: str
+    command_timeout: float
+    min_speed: float
+    max_speed: float
+    max_turn: float
+    escape_speed: float
+    unseen_speed: float
+    latency: float
+    base_reaction: float
+    angular_deceleration: float
+    obstacle_speed: float
+    noise: float
     publish_rate: float
     depth_minus_inf: str
     method: str

@@ -61,7 +61,9 @@ TEST(Messages, EveryCauseBearsTheSameNumberAndNameInTheMessage) {
                                                            {SafetyState::LOW_OBSTACLE, "LOW_OBSTACLE"},
                                                            {SafetyState::TWO_COMMANDERS, "TWO_COMMANDERS"},
                                                            {SafetyState::WRONG_VIEW, "WRONG_VIEW"},
-                                                           {SafetyState::NO_TIME, "NO_TIME"}};
+                                                           {SafetyState::NO_TIME, "NO_TIME"},
+                                                           {SafetyState::NO_COMMAND, "NO_COMMAND"},
+                                                           {SafetyState::BAD_COMMAND, "BAD_COMMAND"}};
   for (const auto& [number, name] : causes) EXPECT_STREQ(name_of(static_cast<Cause>(number)), name);
   EXPECT_STREQ(name_of(static_cast<Cause>(causes.back().first + 1)), "UNKNOWN") << "a cause is missing in this table";
 }

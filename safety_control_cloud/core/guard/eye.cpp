@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eye.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr int around_circle = 24, times = 8;
+constexpr double new_ground = 2e-3;    ///< [m] from where the footprint is now
+constexpr double straight = 0.1;       ///< [rad/m] a driver's hand is not steadier
+constexpr double least_away = 0.7071;  ///< cosine: half a right angle to each side
+
+std::vector<Point2> boundary_of(const Outline& outline) {
+  std::vector<Point2> points;
+  for (const Side& side : outline.sides()) {
+    points.push_back(side.segment.from);
+    points.push_back(0.5 * (side.segment.from + side.segment.to));
+  }
+  for (int i = 0; outline.sides().empty() && i < around_circle; ++i) {
+    const double angle = 2.0 * pi * i / around_circle;
+    points.push_back({outline.radius() * std::cos(angle), outline.radius() * std::sin(angle)});
+  }
+  return points;
+}
+
+}  // namespace
+
+bool Eye::sees(const Point2& point) const {
+  const Point2 there = point - place;
+  return std::abs(std::atan2(cross(direction, there), dot(direction, there))) <= half_angle;
+}
+
+Eye eye_of(const Outlook& outlook, const FieldOfView& field) {
+  const Point camera = outlook.camera(), ahead = outlook.placed(0.0f, 0.0f, 1.0f);
+  const Point2 direction{double{ahead.z} - camera.z, double{camera.x} - ahead.x};
+  const double length = length_of(direction);
+  const Point2 place{camera.z, -camera.x};
+  if (!(length > 0.1)) return {place, {}, 0.0};
+  return {place, (1.0 / length) * direction, std::atan(std::max(0.0, std::min(-field.left, field.right)))};
+}
+
+bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2& twist, double time) {
+  bool new_places = false;
+  for (const Point2& point : boundary_of(outline)) {
+    for (int i = 1; i <= times; ++i) {
+      const Point2 place = moved(point, {-twist.vx, -twist.vy, -twist.w}, time * i / times);
+      if (outline.signed_distance(place) <= new_ground) continue;
+      if (eye.sees(place)) return false;
+      new_places = true;
+    }
+  }
+  return new_places;
+}
+
+bool leads_away_from(const Eye& eye, const Twist2& twist) {
+  const double speed = speed_of(twist);
+  return speed > 0.0 && std::abs(twist.w) <= straight * speed &&
+         -dot(eye.direction, linear(twist)) >= least_away * speed;
+}
+
+}  // namespace safety_control_cloud

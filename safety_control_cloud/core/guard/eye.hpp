@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "../look/field_of_view.hpp"
+#include "../path/outline.hpp"
+
+namespace safety_control_cloud {
+
+/// Where a sensor looks, from above, in base_frame.
+struct Eye {
+  Point2 place;
+  Point2 direction;         ///< of length 1; none (0, 0) if it looks straight up or down
+  double half_angle = 0.0;  ///< [rad] to each side, the lesser
+
+  bool sees(const Point2& point) const;
+};
+
+/// Of a camera that is placed in base_frame.
+Eye eye_of(const Outlook& outlook, const FieldOfView& field);
+
+/// Whether the footprint, within `time` [s] of a twist, comes to where it is not now and all of that lies outside what
+/// the eye sees, at any distance.
+bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2& twist, double time);
+
+/// Whether no part of the robot comes nearer to where the eye looks: straight away from it, without turning.
+bool leads_away_from(const Eye& eye, const Twist2& twist);
+
+}  // namespace safety_control_cloud

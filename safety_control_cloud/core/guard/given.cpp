@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "given.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "command.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double kept = 5.0;            ///< [s] and what was told last before that
+constexpr double step = 0.02;           ///< [s] in which a way is gone
+constexpr double longest_way = 2.0;     ///< [s] in more steps; longer ones in as many longer steps
+constexpr double no_difference = 1e-6;  ///< [m], [rad]
+constexpr double rounding = 1e-9;       ///< [s]
+
+double toward(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
+
+/// A base may gain speed at any rate, but loses it no slower than at this one.
+double slowed(double from, double to, double most) {
+  const bool gains = from * to >= 0.0 && std::abs(to) >= std::abs(from);
+  return gains ? to : toward(from, to, most);
+}
+
+}  // namespace
+
+void Given::note(const Twist2& twist, double now) {
+  if (!told_.empty() && same(told_.back().twist, twist) && now - told_.back().since < following_.delay) return;
+  told_.push_back({now, twist, slowly_at(now)});
+  while (told_.size() > 1 && told_[1].since < now - kept) told_.pop_front();
+}
+
+std::deque<Given::Told>::const_iterator Given::first_after(double moment) const {
+  return std::upper_bound(told_.begin(), told_.end(), moment,
+                          [](double time, const Told& told) { return time < told.since; });
+}
+
+Twist2 Given::told_at(double moment) const {
+  const auto after = first_after(moment);
+  return after == told_.begin() ? Twist2{} : std::prev(after)->twist;
+}
+
+/// From what it did when it was told last, by all that had its effect since, one after the other.
+Twist2 Given::slowly_at(double moment) const {
+  const auto after = first_after(moment);
+  if (after == told_.begin()) return {};
+  const Told& last = *std::prev(after);
+  Twist2 twist = last.slowly;
+  double time = last.since;
+  const auto follow = [&](double until) {
+    const Twist2 aim = told_at(time - following_.delay + rounding);
+    const double linear = following_.linear_deceleration * (until - time);
+    twist = {slowed(twist.vx, aim.vx, linear), slowed(twist.vy, aim.vy, linear),
+             slowed(twist.w, aim.w, following_.angular_deceleration * (until - time))};
+    time = until;
+  };
+  for (auto told = first_after(time - following_.delay); told != told_.end(); ++told) {
+    if (told->since + following_.delay > moment) break;
+    follow(told->since + following_.delay);
+  }
+  follow(moment);
+  return twist;
+}
+
+std::vector<Twist2> Given::under_way(double now) const {
+  std::vector<Twist2> twists{told_at(now - following_.delay)};
+  const auto add = [&](const Twist2& twist) {
+    if (std::none_of(twists.begin(), twists.end(), [&](const Twist2& other) { return same(twist, other); }))
+      twists.push_back(twist);
+  };
+  add(slowly_at(now));
+  for (const Told& told : told_) {
+    if (told.since >= now - following_.delay) add(told.twist);
+  }
+  return twists;
+}
+
+template <class TwistAt>
+Pose2 Given::way_by(TwistAt twist_at, double then, double now) const {
+  const double time = std::max(0.0, now - then);
+  const double steps = std::ceil(std::min(time, longest_way) / step);
+  Pose2 way;
+  for (double i = 0.0; i < steps; ++i) way = beyond(way, way_of(twist_at(then + i * time / steps), time / steps));
+  return way;
+}
+
+std::vector<Pose2> Given::ways_since(double then, double now) const {
+  std::vector<Pose2> ways{Pose2{}};
+  const auto add = [&](const Pose2& way) {
+    if (displacement(way, 1.0) > no_difference) ways.push_back(way);
+  };
+  add(way_by([&](double moment) { return told_at(moment); }, then, now));
+  add(way_by([&](double moment) { return limited(told_at(moment), 0.5); }, then, now));
+  add(way_by([&](double moment) { return slowly_at(moment); }, then, now));
+  return ways;
+}
+
+}  // namespace safety_control_cloud

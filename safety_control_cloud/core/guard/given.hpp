@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "pose.hpp"
+
+namespace safety_control_cloud {
+
+/// How a base follows what it is told, at its slowest.
+struct Following {
+  double delay;                 ///< [s] from a command to its effect
+  double linear_deceleration;   ///< [m/s2]
+  double angular_deceleration;  ///< [rad/s2]
+};
+
+/// What the base was told, and so what it may be doing and may have done, between obeying at once and as late and as
+/// slowly as it can. Times are steady [s].
+class Given {
+ public:
+  explicit Given(const Following& following) : following_(following) {}
+
+  void follow(const Following& following) { following_ = following; }
+
+  /// The base is told this from now on.
+  void note(const Twist2& twist, double now);
+
+  /// All that it may be doing: every twist of the last delay, and how it still moves if it brakes as slowly as it can.
+  std::vector<Twist2> under_way(double now) const;
+
+  /// Ways that it may have gone since `then`: none, and those of who obeys at once, half of it, or as late as can be.
+  /// The true one lies between them.
+  std::vector<Pose2> ways_since(double then, double now) const;
+
+ private:
+  struct Told {
+    double since;
+    Twist2 twist;
+    Twist2 slowly;  ///< what the slowest base did at that moment
+  };
+
+  std::deque<Told>::const_iterator first_after(double moment) const;
+  Twist2 told_at(double moment) const;
+  Twist2 slowly_at(double moment) const;
+  template <class TwistAt>
+  Pose2 way_by(TwistAt twist_at, double then, double now) const;
+
+  Following following_;
+  std::deque<Told> told_;
+};
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "guard.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../path/sweep.hpp"
+#include "../speed/limit.hpp"
+#include "../text/words.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double between_ways = 0.25;  ///< of the greatest way: how far the true one is from the nearest of the four
+
+Allowed standing(Cause cause, const std::string& reason) { return {0.0, 0.0, std::nullopt, {}, cause, reason}; }
+
+Allowed lesser(Allowed a, Allowed b) { return b.factor < a.factor ? std::move(b) : std::move(a); }
+
+Footprint widened(const Outline& outline, double widening) {
+  Footprint footprint{{}, outline.radius(), outline.margin() + widening};
+  for (const Side& side : outline.sides()) footprint.polygon.push_back(side.segment.from);
+  return footprint;
+}
+
+/// What a point's being told instead of a way's end may hide, for points that lie in a ring.
+double widening_for(const std::vector<Pose2>& ways, double extent) {
+  double most = 0.0;
+  for (const Pose2& way : ways) most = std::max(most, displacement(way, std::sqrt(2.0) * extent));
+  return ways.size() > 1 ? between_ways * most : 0.0;
+}
+
+std::string in_words(const Limit& limit, const Point2& point) {
+  return words(limit.is_escape ? "on the way out of the margin" : "obstacle", " at x ", measured(point.x, "m"), ", y ",
+               measured(point.y, "m"));
+}
+
+/// What the whole of a motion would run into, where the part of it that is left clears all.
+Contact on_the_path(const Outline& outline, const Obstacles& obstacles, const Twist2& wanted) {
+  const Sweep sweep(outline, wanted, obstacles.widening);
+  return contact(obstacles, 1, 0.0, [&](const Point2& point) { return sweep.time_to_contact(point); });
+}
+
+}  // namespace
+
+Guard::Guard(const GuardSettings& settings, const Law& law)
+    : settings_(settings), law_(law), outline_(footprint_of(settings)) {}
+
+/// Straying (speed/straying.hpp) grows with the time in which the base changes its twist; three times that of braking
+/// is more than it comes to.
+double Guard::reach(double oldest) const {
+  const double fastest = settings_.max_speed + settings_.max_turn * outline_.turning_reach();
+  const double braking =
+      std::max(settings_.max_speed / law_.linear_deceleration, settings_.max_turn / law_.angular_deceleration);
+  const double time = oldest + law_.sensor_period + law_.latency + law_.base_reaction + 3.0 * braking;
+  return outline_.reach() + outline_.margin() + (fastest + law_.obstacle_speed) * time;
+}
+
+Allowed Guard::allowed(const Twist2& wanted, const std::vector<Twist2>& under_way,
+                       const std::vector<Known>& known) const {
+  if (known.empty()) return standing(Cause::NoCloud, "there is no sensor");
+  for (const Known& one : known) {
+    if (one.doubt) return standing(one.doubt->cause, one.doubt->reason);
+    if (one.lost && !(one.eye && leads_away_from(*one.eye, wanted)))
+      return standing(one.lost->cause, one.lost->reason + "; only straight away from there");
+  }
+  const Allowed capped = lesser(by_speed(wanted), by_eyes(wanted, known));
+  const Twist2 slower = limited(wanted, capped.factor);
+  Allowed seen;
+  for (const Known& one : known) seen = lesser(std::move(seen), by_sight(slower, under_way, one));
+  if (seen.factor >= 1.0) return capped;
+  seen.factor *= capped.factor;
+  seen.time_to_contact *= capped.factor;
+  return seen;
+}
+
+Allowed Guard::capped(const Twist2& wanted, double fastest, const std::string& reason) const {
+  Allowed allowed;
+  const double speed = fastest_point(outline_, wanted);
+  if (speed <= fastest) return allowed;
+  allowed.factor = fastest / speed;
+  allowed.reason = reason;
+  return allowed;
+}
+
+Allowed Guard::by_speed(const Twist2& wanted) const {
+  Allowed allowed;
+  const double speed = speed_of(wanted), turning = std::abs(wanted.w);
+  if (speed > settings_.max_speed) allowed.factor = settings_.max_speed / speed;
+  if (turning > settings_.max_turn) allowed.factor = std::min(allowed.factor, settings_.max_turn / turning);
+  if (allowed.factor < 1.0) allowed.reason = "faster than max_speed or max_turn";
+  return allowed;
+}
+
+/// Where nobody looks, no faster than is said for that; away from what was lost from sight, as out of the margin.
+Allowed Guard::by_eyes(const Twist2& wanted, const std::vector<Known>& known) const {
+  Allowed least;
+  bool unseen = true;
+  for (const Known& one : known) {
+    if (one.lost) least = lesser(std::move(least), capped(wanted, settings_.escape_speed, one.lost->reason));
+    const double time = 1.0;  // the direction counts, not the way
+    if (!one.lost && one.eye && !leads_into_the_unseen(outline_, *one.eye, wanted, time)) unseen = false;
+  }
+  if (!unseen) return least;
+  return lesser(std::move(least), capped(wanted, settings_.unseen_speed, "no sensor looks there: unseen_speed"));
+}
+
+Allowed Guard::by_sight(const Twist2& wanted, const std::vector<Twist2>& under_way, const Known& known) const {
+  Allowed least;
+  if (!known.around) return standing(Cause::NoCloud, "nothing has been seen yet");
+  std::size_t nearer = 0;
+  for (const Ring& ring : known.around->rings()) {
+    least = lesser(std::move(least), by_ring(wanted, under_way, known, ring, nearer));
+    if (least.factor == 0.0) break;
+    nearer += ring.returns;
+  }
+  return least;
+}
+
+/// Returns of the rings inside count as touched already, so that an obstacle that two rings share is one.
+Allowed Guard::by_ring(const Twist2& wanted, const std::vector<Twist2>& under_way, const Known& known, const Ring& ring,
+                       std::size_t nearer) const {
+  Allowed least;
+  if (ring.returns == 0) return least;
+  const bool innermost = &ring == &known.around->rings().front();
+  const double widening = ring.obstacles.widening + widening_for(known.ways, ring.extent);
+  Law law = law_;
+  law.min_points = law_.min_points > nearer ? law_.min_points - nearer : 1;
+  // What is inside the margin can be left only by who knows the points as they are (limit.hpp). The innermost cells are
+  // so small that to widen the margin by them, and to take them off the noise, is as good.
+  if (innermost) law.noise = std::max(0.5 * law_.noise, law_.noise - 2.0 * ring.obstacles.widening);
+  const Outline outline = innermost ? Outline(widened(outline_, widening)) : outline_;
+  Obstacles moved{{}, ring.obstacles.counts, innermost ? 0.0 : widening};
+  for (const Pose2& way : known.ways) {
+    moved.points.clear();
+    for (const Point2& point : ring.obstacles.points) moved.points.push_back(seen_after(way, point));
+    const Limit limit = safety_control_cloud::limit(outline, law, moved, known.age, under_way, wanted);
+    if (!(limit.factor < least.factor)) continue;
+    const Contact decider = limit.contact.point ? limit.contact : on_the_path(outline, moved, wanted);
+    least = {limit.factor, decider.time, std::nullopt, known.sensor, Cause::Seen, "something lies beside the path"};
+    if (!decider.point) continue;
+    least.point = moved.points[*decider.point];
+    least.reason = in_words(limit, *least.point);
+  }
+  return least;
+}
+
+}  // namespace safety_control_cloud

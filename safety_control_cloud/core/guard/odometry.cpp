@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double kept = 5.0;          ///< [s]
+constexpr std::size_t most = 5000;    ///< of them, however often they come
+constexpr double longest_gap = 0.25;  ///< [s] over which a twist is taken to last
+constexpr double most_off = 0.1;      ///< [m], [rad] by which a pose may miss what the twists before and after explain
+constexpr double most_off_rate = 0.25;  ///< the same, as a share of what they explain
+
+bool is_finite(const Pose2& pose) { return is_finite(pose.place) && std::isfinite(pose.heading); }
+
+double wrapped(double angle) { return std::remainder(angle, 2.0 * 3.14159265358979323846); }
+
+}  // namespace
+
+void Odometry::note(double stamp, const Pose2& pose, const Twist2& twist) {
+  const Noted next{stamp, pose, twist};
+  if (!std::isfinite(stamp) || !is_finite(pose) || !is_sound(twist)) {
+    noted_.clear();
+    return;
+  }
+  if (!noted_.empty() && !goes_on(next)) noted_.clear();
+  noted_.push_back(next);
+  if (noted_.size() > 1) {  // headings go on beyond a full turn, so that the way between two poses is the short one
+    const double before = noted_[noted_.size() - 2].pose.heading;
+    noted_.back().pose.heading = before + wrapped(pose.heading - before);
+  }
+  while (noted_.size() > most || noted_.front().stamp < stamp - kept) noted_.pop_front();
+}
+
+bool Odometry::goes_on(const Noted& next) const {
+  const Noted& last = noted_.back();
+  const double time = next.stamp - last.stamp;
+  if (!(time > 0.0 && time <= longest_gap)) return false;
+  const Pose2 way = between(last.pose, next.pose);
+  const double speed = std::max(speed_of(last.twist), speed_of(next.twist));
+  const double turning = std::max(std::abs(last.twist.w), std::abs(next.twist.w));
+  const double share = 1.0 + most_off_rate;
+  return length_of(way.place) <= share * speed * time + most_off &&
+         std::abs(wrapped(way.heading)) <= share * turning * time + most_off;
+}
+
+bool Odometry::is_fresh(double now) const {
+  return !noted_.empty() && std::abs(now - noted_.back().stamp) <= longest_gap;
+}
+
+std::optional<Pose2> Odometry::way_since(double stamp, double now) const {
+  if (!is_fresh(now) || !(stamp >= noted_.front().stamp)) return std::nullopt;
+  return between(pose_at(stamp), pose_at(std::max(stamp, now)));
+}
+
+std::optional<Twist2> Odometry::twist_at(double now) const {
+  return is_fresh(now) ? std::optional(noted_.back().twist) : std::nullopt;
+}
+
+/// By the twist of the pose before.
+Pose2 Odometry::pose_at(double stamp) const {
+  const auto after = std::upper_bound(noted_.begin(), noted_.end(), stamp,
+                                      [](double moment, const Noted& noted) { return moment < noted.stamp; });
+  const Noted& before = after == noted_.begin() ? *after : *std::prev(after);
+  if (after == noted_.end() || after == noted_.begin())
+    return beyond(before.pose, way_of(before.twist, stamp - before.stamp));
+  const double share = (stamp - before.stamp) / (after->stamp - before.stamp);
+  const Pose2 way = between(before.pose, after->pose);
+  return beyond(before.pose, {share * way.place, share * way.heading});
+}
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "pose.hpp"
+
+namespace safety_control_cloud {
+
+/// What the base says of where it went. It is believed as long as it goes on without a gap, a jump or a number that is
+/// none; what is older than the latest of these is not known.
+class Odometry {
+ public:
+  /// The robot was at this pose of a frame that rests, and had this twist, at `stamp` [s, ROS time].
+  void note(double stamp, const Pose2& pose, const Twist2& twist);
+
+  /// The way from `stamp` until `now` [s, ROS time]; none if it does not span that.
+  std::optional<Pose2> way_since(double stamp, double now) const;
+
+  /// The twist of now; none if nothing was said lately.
+  std::optional<Twist2> twist_at(double now) const;
+
+ private:
+  struct Noted {
+    double stamp;
+    Pose2 pose;
+    Twist2 twist;
+  };
+
+  bool goes_on(const Noted& next) const;
+  bool is_fresh(double now) const;
+  Pose2 pose_at(double stamp) const;
+
+  std::deque<Noted> noted_;
+};
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "../path/footprint.hpp"
+#include "../path/obstacles.hpp"
+#include "../text/problems.hpp"
+#include "lists.hpp"
+
+namespace safety_control_cloud {
+
+/// Who wants the robot to move.
+enum class Mode : std::uint8_t {
+  Drive,  ///< the node itself, straight ahead, as the tutorial has it
+  Guard,  ///< somebody else, from whose commands what is unsafe is taken
+};
+
+const char* name_of(Mode mode);  ///< "drive" or "guard"
+std::optional<Mode> mode_named(const std::string& name);
+
+/// What the guard has to know of the robot, beside what the drive mode knows.
+struct GuardSettings {
+  Mode mode = Mode::Drive;
+  std::string base_frame = "base_footprint";  ///< x forward, y left, z up; what turns when the robot turns in place
+  Lists footprint;                            ///< [m] corners in base_frame; none: a circle
+  double radius = 0.178;                      ///< [m] of the circle, a Kobuki's; with a footprint it is not asked
+  double margin = 0.05;                       ///< [m] kept clear around the footprint
+  Lists self_boxes;              ///< [m] x_min, x_max, y_min, y_max, z_min, z_max: parts of the robot a sensor may see
+  double command_timeout = 0.5;  ///< [s] an older command is none
+  double min_speed = 0.01;       ///< [m/s] of the fastest point; a base does not obey what is left below this
+  double max_speed = 0.7;        ///< [m/s]
+  double max_turn = 3.14;        ///< [rad/s]
+  double escape_speed = 0.1;     ///< [m/s] of the fastest point on the way out of the margin
+  double unseen_speed = 0.1;     ///< [m/s] of the fastest point, where no sensor looks; 0 = never
+  double latency = 0.05;         ///< [s] from a look, or a wish, until the base has the command
+  double base_reaction = 0.1;    ///< [s] until the base begins to obey it
+  double angular_deceleration = 3.5;  ///< [rad/s2] of the base when it brakes (Kobuki's driver: an assumption)
+  double obstacle_speed = 0.0;        ///< [m/s] with which every obstacle may approach
+  double noise = 0.01;                ///< [m] of the sensor
+};
+
+/// Calls visit(name, value) for every parameter; `guard` may be const.
+template <class GuardSettingsOrConst, class Visit>
+void for_each_guard_parameter(GuardSettingsOrConst& guard, Visit& visit) {
+  visit("mode", guard.mode);
+  visit("base_frame", guard.base_frame);
+  visit("footprint", guard.footprint);
+  visit("radius", guard.radius);
+  visit("margin", guard.margin);
+  visit("self_boxes", guard.self_boxes);
+  visit("command_timeout", guard.command_timeout);
+  visit("min_speed", guard.min_speed);
+  visit("max_speed", guard.max_speed);
+  visit("max_turn", guard.max_turn);
+  visit("escape_speed", guard.escape_speed);
+  visit("unseen_speed", guard.unseen_speed);
+  visit("latency", guard.latency);
+  visit("base_reaction", guard.base_reaction);
+  visit("angular_deceleration", guard.angular_deceleration);
+  visit("obstacle_speed", guard.obstacle_speed);
+  visit("noise", guard.noise);
+}
+
+void check(const GuardSettings& guard, Problems& problems);
+
+/// Of settings that are fit; what cannot be read is no footprint and no boxes.
+Footprint footprint_of(const GuardSettings& guard);
+std::vector<OwnBox> own_boxes_of(const GuardSettings& guard);
+
+}  // namespace safety_control_cloud

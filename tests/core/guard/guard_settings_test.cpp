@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "../../../safety_control_cloud/core/settings.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+TEST(Lists, AreReadAsPeopleWriteThem) {
+  using Numbers = std::vector<std::vector<double>>;
+  EXPECT_EQ(lists_in({""}, 2), Numbers{});
+  EXPECT_EQ(lists_in({" [] "}, 2), Numbers{});
+  EXPECT_EQ(lists_in({"[[0.2,-1], [ 3e-1 , 4 ]]"}, 2), (Numbers{{0.2, -1.0}, {0.3, 4.0}}));
+}
+
+TEST(Lists, OfAnotherKindAreNone) {
+  for (const char* text : {"[", "[[1]]", "[[1,2,3]]", "[[1,2],]", "[[1,2]] x", "[[1,a]]", "[1,2]", "[[,]]", "[[1,2]",
+                           "x", "[] x", "[[nan,1]]"})
+    EXPECT_FALSE(lists_in({text}, 2)) << text;
+}
+
+bool mentions(const Settings& settings, const std::string& words) {
+  const auto problems = problems_in(settings);
+  return std::any_of(problems.begin(), problems.end(),
+                     [&](const std::string& problem) { return problem.find(words) != std::string::npos; });
+}
+
+TEST(GuardSettings, TheGuardIsFitAsItIsMade) {
+  Settings settings;
+  settings.mode = Mode::Guard;
+  EXPECT_TRUE(problems_in(settings).empty());
+  EXPECT_TRUE(doubts_about(settings).empty());
+}
+
+TEST(GuardSettings, EveryContradictionIsNamed) {
+  const std::vector<std::pair<const char*, std::function<void(Settings&)>>> table = {
+      {"footprint must be a list", [](Settings& s) { s.footprint.text = "[[1, 2, 3]]"; }},
+      {"at least 3 corners", [](Settings& s) { s.footprint.text = "[[0, 1], [1, 0]]"; }},
+      {"farther than 3 m", [](Settings& s) { s.footprint.text = "[[0, 1], [4, 0], [0, -1]]"; }},
+      {"footprint: ", [](Settings& s) { s.radius = 0.0; }},
+      {"self_boxes must be", [](Settings& s) { s.self_boxes.text = "[[1, 2]]"; }},
+      {"min less than max", [](Settings& s) { s.self_boxes.text = "[[1, 0, 0, 1, 0, 1]]"; }},
+      {"base_frame must not", [](Settings& s) { s.base_frame = ""; }},
+      {"command_timeout must", [](Settings& s) { s.command_timeout = 0.0; }},
+      {"max_speed must", [](Settings& s) { s.max_speed = 0.0; }},
+      {"max_turn must", [](Settings& s) { s.max_turn = 0.0; }},
+      {"min_speed must", [](Settings& s) { s.min_speed = -0.1; }},
+      {"escape_speed must", [](Settings& s) { s.escape_speed = -0.1; }},
+      {"unseen_speed must", [](Settings& s) { s.unseen_speed = -0.1; }},
+      {"latency must", [](Settings& s) { s.latency = -0.1; }},
+      {"base_reaction must", [](Settings& s) { s.base_reaction = -0.1; }},
+      {"angular_deceleration must", [](Settings& s) { s.angular_deceleration = 0.0; }},
+      {"obstacle_speed must", [](Settings& s) { s.obstacle_speed = -0.1; }},
+      {"noise must", [](Settings& s) { s.noise = -0.1; }},
+      {"not target_frame", [](Settings& s) { s.target_frame = "base_footprint"; }},
+      {"what left and right", [](Settings& s) { s.frame_corridor.left = 0.4; }},
+  };
+  for (const auto& [sentence, harm] : table) {
+    Settings settings;
+    settings.mode = Mode::Guard;
+    harm(settings);
+    EXPECT_TRUE(mentions(settings, sentence)) << sentence;
+  }
+}
+
+TEST(GuardSettings, ItsSensorLooksDownACorridorAsWideAsTheRobot) {
+  Settings settings;
+  settings.mode = Mode::Guard;
+  settings.footprint.text = "[[0.5, 0.2], [-0.1, 0.2], [-0.1, -0.3], [0.5, -0.3]]";
+  const Settings sensor = sensor_settings(settings);
+  EXPECT_EQ(sensor.target_frame, "base_footprint");
+  EXPECT_DOUBLE_EQ(sensor.frame_corridor.left, 0.25);
+  EXPECT_DOUBLE_EQ(sensor.frame_corridor.right, 0.35);
+  EXPECT_DOUBLE_EQ(sensor.limits.danger, 1.0);
+}
+
+}  // namespace
+}  // namespace safety_control_cloud

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include "../../../safety_control_cloud/core/guard_control.hpp"
+#include "../scene.hpp"
+
+namespace safety_control_cloud {
+
+inline Settings guard_settings() {
+  Settings settings;
+  settings.mode = Mode::Guard;
+  return settings;
+}
+
+/// The place of a TurtleBot's Xtion in base_footprint.
+inline Placing xtion() {
+  Eigen::Matrix<double, 3, 4> place;
+  place << 0, 0, 1, -0.087, -1, 0, 0, 0.0, 0, -1, 0, 0.2972;
+  return placing_of(place);
+}
+
+/// A guarded robot that stands, and its time.
+struct GuardedRobot {
+  explicit GuardedRobot(const Settings& settings = guard_settings()) : control(settings) {}
+
+  GuardControl control;
+  Instant now{100.0, 1000.0};
+
+  void pass(double seconds) { now.steady += seconds, now.ros += seconds; }
+
+  void see(const CloudView& view, const Placing& placing = xtion()) {
+    control.see(view, {now.ros, placing, "camera", "camera_depth_optical_frame"}, now);
+  }
+  void see(const Scene& scene) { see(scene.view()); }
+
+  /// As somebody says it again and again, and a camera that shows the same; until it has settled.
+  const Guarded& drives(const Scene& scene, const Twist2& twist) {
+    for (int i = 0; i < 10; ++i) {
+      pass(0.05);
+      see(scene);
+      wants(twist);
+    }
+    return wants(twist);
+  }
+
+  const Guarded& wants(const Twist2& twist) {
+    Command command;
+    command.linear = {twist.vx, twist.vy, 0.0};
+    command.angular[2] = twist.w;
+    return is_told(command);
+  }
+  const Guarded& is_told(const Command& command) {
+    control.want(command, now);
+    return control.answer(now);
+  }
+};
+
+/// A board from side to side, so far before the front of a TurtleBot [m].
+inline Board wall_before(double front) { return {static_cast<float>(front + 0.265), -9.0f, 9.0f, -9.0f, floor_y}; }
+
+}  // namespace safety_control_cloud

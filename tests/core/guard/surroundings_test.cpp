@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../../safety_control_cloud/core/guard/surroundings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "../input/cloud_builder.hpp"
+#include "../path/footprints.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+/// Points of base_frame, whose optical frame lies in its origin: x = -left, y = -up, z = forward.
+Xyz at(float forward, float left, float up) { return {-left, -up, forward}; }
+
+Outlook in_origin() { return {Corridor{}, Placement{}}; }
+
+Surroundings around(std::vector<OwnBox> self = {}) { return {circle(0.2, 0.05), {0.05, 0.55, 4.0, std::move(self)}}; }
+
+std::size_t returns_in(const Surroundings& surroundings) {
+  std::size_t all = 0;
+  for (const Ring& ring : surroundings.rings()) all += ring.returns;
+  return all;
+}
+
+TEST(Surroundings, WhatLiesOutsideTheBandDoesNotCount) {
+  Surroundings seen = around();
+  const std::vector<Xyz> points = {at(1, 0, 0.04f), at(1, 0, 0.05f), at(1, 0, 0.55f), at(1, 0, 0.56f),
+                                   at(1, 5, 0.3f),  {nan, nan, nan}, {0, 0, inf},     at(3, 3, 0.3f)};
+  seen.look(view_of(points), in_origin());
+  EXPECT_EQ(returns_in(seen), 3u);
+}
+
+TEST(Surroundings, WhatIsOfTheRobotItselfIsCutOut) {
+  Surroundings seen = around({{0.9, 1.1, -0.1, 0.1, 0.2, 0.4}});
+  const std::vector<Xyz> points = {at(1, 0, 0.3f), at(1, 0, 0.5f), at(1, 0.2f, 0.3f)};
+  seen.look(view_of(points), in_origin());
+  EXPECT_EQ(returns_in(seen), 2u);
+}
+
+TEST(Surroundings, EachLookForgetsTheOneBefore) {
+  Surroundings seen = around();
+  const std::vector<Xyz> some = {at(1, 0, 0.3f), at(0.3f, 0, 0.3f), at(3, 0, 0.3f)}, none = {at(1, 0, 3.0f)};
+  seen.look(view_of(some), in_origin());
+  EXPECT_EQ(returns_in(seen), 3u);
+  seen.look(view_of(none), in_origin());
+  EXPECT_EQ(returns_in(seen), 0u);
+  EXPECT_TRUE(seen.rings().front().obstacles.points.empty());
+}
+
+TEST(Surroundings, NoReturnIsFartherFromItsPointThanIsSaid) {
+  std::mt19937 random(20261122);
+  std::uniform_real_distribution<float> ahead(0.01f, 3.9f), beside(-3.9f, 3.9f);
+  std::vector<Xyz> points;
+  for (int i = 0; i < 20000; ++i) points.push_back(at(ahead(random), beside(random), 0.3f));
+  Surroundings seen = around();
+  seen.look(view_of(points), in_origin());
+  EXPECT_EQ(returns_in(seen), points.size());
+  EXPECT_LE(seen.rings().front().obstacles.widening, 0.004);
+  for (std::size_t i = 0; i < points.size(); i += 37) {
+    const Point2 point{points[i].z, -points[i].x};
+    bool near = false;
+    for (const Ring& ring : seen.rings()) {
+      for (const Point2& middle : ring.obstacles.points)
+        near = near || length_of(point - middle) <= ring.obstacles.widening + 1e-6;
+    }
+    ASSERT_TRUE(near) << point.x << " " << point.y;
+  }
+}
+
+TEST(Surroundings, AllThatIsInsideTheMarginLiesInTheInnermostRing) {
+  Surroundings seen = around();
+  const std::vector<Xyz> points = {at(0.2f, 0.1f, 0.3f), at(0.01f, -0.24f, 0.3f), at(0.6f, 0, 0.3f)};
+  seen.look(view_of(points), in_origin());
+  EXPECT_EQ(seen.rings().front().returns, 2u);
+}
+
+}  // namespace
+}  // namespace safety_control_cloud

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the robot went: by odometry, or by what it was told.
+#include <gtest/gtest.h>
+
+#include "../../../safety_control_cloud/core/guard/command.hpp"
+#include "../../../safety_control_cloud/core/guard/given.hpp"
+#include "../../../safety_control_cloud/core/guard/odometry.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr Following slow{0.15, 0.36, 3.5};
+
+/// Says for `seconds` from `from` on where a robot is that keeps a twist from the origin on.
+void drive(Odometry& odometry, const Twist2& twist, double from, double seconds) {
+  for (int i = 0; i <= std::lround(seconds / 0.02); ++i) odometry.note(from + 0.02 * i, way_of(twist, 0.02 * i), twist);
+}
+
+TEST(Pose, AWayIsSeenBackwardByARestingPoint) {
+  const Twist2 twist{0.3, 0.1, 0.7};
+  const Point2 point{1.0, -0.5};
+  const Point2 carried = seen_after(way_of(twist, 0.8), point), direct = moved(point, twist, 0.8);
+  EXPECT_NEAR(carried.x, direct.x, 1e-12);
+  EXPECT_NEAR(carried.y, direct.y, 1e-12);
+}
+
+TEST(Odometry, TellsTheWayBetweenAndBeyondItsPoses) {
+  Odometry odometry;
+  const Twist2 twist{0.4, 0.0, 0.5};
+  drive(odometry, twist, 10.0, 1.0);
+  const auto way = odometry.way_since(10.33, 11.1);
+  ASSERT_TRUE(way);
+  const Pose2 expected = way_of(twist, 0.77);
+  EXPECT_NEAR(way->place.x, expected.place.x, 1e-4);
+  EXPECT_NEAR(way->place.y, expected.place.y, 1e-4);
+  EXPECT_NEAR(way->heading, expected.heading, 1e-9);
+}
+
+TEST(Odometry, DoesNotSpanWhatItHasNotSeen) {
+  Odometry odometry;
+  EXPECT_FALSE(odometry.way_since(0.0, 0.1));
+  drive(odometry, {0.4, 0.0, 0.0}, 10.0, 1.0);
+  EXPECT_FALSE(odometry.way_since(9.9, 11.0)) << "before it began";
+  EXPECT_FALSE(odometry.way_since(10.5, 11.5)) << "it has ceased";
+  EXPECT_FALSE(odometry.twist_at(11.5));
+}
+
+TEST(Odometry, AJumpAGapOrNoNumberBeginsItAnew) {
+  const Twist2 twist{0.4, 0.0, 0.0};
+  for (const Pose2& odd : {Pose2{{5.0, 0.0}, 0.0}, Pose2{{0.4, 0.0}, 1.5}, Pose2{{std::nan(""), 0.0}, 0.0}}) {
+    Odometry odometry;
+    drive(odometry, twist, 10.0, 1.0);
+    odometry.note(11.02, odd, twist);
+    EXPECT_FALSE(odometry.way_since(10.5, 11.02));
+  }
+  Odometry late, back;
+  drive(late, twist, 10.0, 1.0);
+  late.note(11.4, {{0.56, 0.0}, 0.0}, twist);
+  EXPECT_FALSE(late.way_since(10.5, 11.4));
+  drive(back, twist, 10.0, 1.0);
+  back.note(10.5, {{0.2, 0.0}, 0.0}, twist);
+  EXPECT_FALSE(back.way_since(10.4, 10.5));
+}
+
+TEST(Odometry, AHalfTurnIsNoJump) {
+  Odometry odometry;
+  for (int i = 0; i < 20; ++i) {
+    const double heading = 3.0 + 0.02 * i;
+    odometry.note(1.0 + 0.02 * i, {{0.0, 0.0}, std::remainder(heading, 2 * 3.14159265358979323846)}, {0.0, 0.0, 1.0});
+  }
+  const auto way = odometry.way_since(1.0, 1.38);
+  ASSERT_TRUE(way);
+  EXPECT_NEAR(way->heading, 0.38, 1e-9);
+}
+
+TEST(Given, ABaseThatWasToldNothingStands) {
+  const Given given(slow);
+  ASSERT_EQ(given.under_way(1.0).size(), 1u);
+  EXPECT_TRUE(stands(given.under_way(1.0)[0]));
+  EXPECT_EQ(given.ways_since(0.0, 1.0).size(), 1u);
+}
+
+TEST(Given, WhatIsUnderWayBrakesNoFasterThanItCan) {
+  Given given(slow);
+  for (int i = 0; i <= 50; ++i) given.note({0.5, 0.0, 0.0}, 1.0 + 0.02 * i);
+  for (int i = 1; i <= 20; ++i) given.note({}, 2.0 + 0.02 * i);
+  double fastest = 0.0;
+  for (const Twist2& twist : given.under_way(2.4)) fastest = std::max(fastest, twist.vx);
+  EXPECT_NEAR(fastest, 0.5 - 0.36 * (0.4 - 0.02 - 0.15), 1e-9);
+  const std::vector<Twist2> later = given.under_way(4.5);
+  EXPECT_TRUE(stands(later[0]));
+}
+
+TEST(Given, ABaseThatIsToldToTurnRoundMayStillGoOn) {
+  Given given(slow);
+  for (int i = 0; i <= 50; ++i) given.note({0.5, 0.0, 0.0}, 1.0 + 0.02 * i);
+  for (int i = 1; i <= 15; ++i) given.note({-0.6, 0.0, 0.0}, 2.0 + 0.02 * i);
+  double fastest = -1.0;
+  for (const Twist2& twist : given.under_way(2.3)) fastest = std::max(fastest, twist.vx);
+  EXPECT_GT(fastest, 0.4);
+}
+
+TEST(Given, TheTrueWayLiesBetweenTheOnesThatItNames) {
+  Given given(slow);
+  for (int i = 0; i <= 10; ++i) given.note({0.5, 0.0, 0.0}, 1.0 + 0.02 * i);
+  double farthest = 0.0;
+  for (const Pose2& way : given.ways_since(1.0, 1.2)) farthest = std::max(farthest, way.place.x);
+  EXPECT_NEAR(farthest, 0.1, 1e-6) << "who obeys at once";
+}
+
+TEST(Command, IsScaledAsAWhole) {
+  Command command;
+  command.linear = {0.4, -0.2, 0.0};
+  command.angular = {0.0, 0.0, 1.0};
+  EXPECT_EQ(scaled(command, 0.5).linear[1], -0.1);
+  EXPECT_EQ(scaled(command, 0.5).angular[2], 0.5);
+  EXPECT_TRUE(stands(in_plane(scaled(command, std::nan("")))));
+}
+
+}  // namespace
+}  // namespace safety_control_cloud

@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A robot that somebody drives and the real node guards: a camera, a driver, and a base that obeys."""
+from __future__ import annotations
+
+import signal
+import struct
+import threading
+import time
+from contextlib import contextmanager
+from typing import Any, Callable, ContextManager, Iterator, Optional
+
+import rospy
+from camera import TOPIC, Camera
+from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Twist, Vector3
+from listening import Heard
+from nav_msgs.msg import Odometry
+from robot import GRACE, after, flat
+from scenes import FRAME, View, hall, wall
+from std_msgs.msg import Header
+from tf2_msgs.msg import TFMessage
+
+from safety_control_cloud.msg import Blocked, SafetyState
+from safety_control_cloud.processes import Process
+from safety_control_cloud.ros_session import node
+
+CAMERA_TO_FRONT = 0.265  # [m] by which a TurtleBot's round hull sticks out before its camera
+SETTLED = 3.0  # [s]
+Clock = Callable[[], rospy.Time]
+
+
+def twist(x: float = 0.0, w: float = 0.0) -> Twist:
+    command = Twist()
+    command.linear.x, command.angular.z = x, w
+    return command
+
+
+def bits(command: Twist) -> bytes:
+    return struct.pack("6d", *flat(command))
+
+
+class Repeated:
+    """Publishes what it is given, again and again, from a thread of its own."""
+
+    def __init__(self, topic: str, kind: type, rate: float) -> None:
+        self._publisher = rospy.Publisher(topic, kind, queue_size=1, tcp_nodelay=True)
+        self._period, self._message = 1.0 / rate, None
+        self._ended = threading.Event()
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread.start()
+
+    def say(self, message: Any) -> None:
+        self._message = message
+        if message is not None:
+            self._publisher.publish(message)
+
+    def end(self) -> None:
+        self._ended.set()
+        self._thread.join()
+        self._publisher.unregister()
+
+    def _run(self) -> None:
+        while not self._ended.wait(self._period):
+            message = self._message
+            if message is not None:
+                self._publisher.publish(message)
+
+
+class Guarded:
+    """`namespace`: "" or as "/robot1"; its frames bear the same prefix."""
+
+    def __init__(self, process: Process, view: Optional[View] = None, namespace: str = "", clock: Clock = rospy.Time.now) -> None:
+        self.process, self.namespace = process, namespace
+        prefix = namespace.strip("/") + "/" if namespace else ""
+        self._transforms = rospy.Publisher("/tf_static", TFMessage, queue_size=10, latch=True)
+        self._transforms.publish(TFMessage([camera_on(prefix + "base_footprint", prefix + FRAME)]))
+        self.states = Heard(namespace + "/safety_control_cloud/state", SafetyState)
+        self.blocked = Heard(namespace + "/safety_control_cloud/blocked", Blocked)
+        self.commands = Heard(namespace + "/cmd_vel", Twist)
+        self.driver = Repeated(namespace + "/cmd_vel_in", Twist, 50.0)
+        self.camera = Camera(view or hall(frame=prefix + FRAME), clock, topic=namespace + TOPIC)
+
+    def gives(self, fits: Callable[[SafetyState], bool], within: float = SETTLED, lasts: float = 0.3) -> SafetyState:
+        """The robot comes to an answer that fits, and stays with such for a while, on ~state and on cmd_vel."""
+        state = self._comes_to(fits, within)
+        since = time.monotonic()
+        time.sleep(lasts)
+        assert self.process.exit_code is None, self.process.output()
+        later = [state for _, state in after(since, self.states)]
+        assert later and all(fits(state) for state in later), [s for s in later if not fits(s)][:1]
+        said = {bits(command) for _, command in after(since + 0.1, self.commands)}
+        zero = {bits(Twist())}  # where the node is late, another of its threads says that
+        assert said and said - zero <= {bits(state.given) for state in later}, "cmd_vel says what ~state says"
+        return state
+
+    def stands(self, cause: str, within: float = SETTLED) -> SafetyState:
+        return self.gives(lambda state: state.cause_text == cause and bits(state.given) == bits(Twist()), within)
+
+    def passes(self, command: Twist, within: float = SETTLED) -> SafetyState:
+        command_bits = bits(command)
+        return self.gives(
+            lambda state: state.cause_text == "SEEN" and bits(state.wanted) == bits(state.given) == command_bits, within)
+
+    def last_given(self) -> Twist:
+        return self.commands.all()[-1]
+
+    def end(self) -> None:
+        for part in (self.camera, self.driver):
+            part.end()
+        for heard in (self.states, self.blocked, self.commands):
+            heard.close()
+        self._transforms.unregister()
+
+    def _comes_to(self, fits: Callable[[SafetyState], bool], within: float) -> SafetyState:
+        since, asked = time.monotonic(), 0.0
+        while asked < within + GRACE:
+            states = after(since, self.states)
+            if states and fits(states[-1][1]):
+                return states[-1][1]
+            time.sleep(0.005)
+            asked = time.monotonic() - since
+            assert self.process.exit_code is None, self.process.output()
+        raise AssertionError(f"not within {within} s; the last was\n{self.states.all()[-1:]}")
+
+
+def camera_on(base: str, camera: str) -> TransformStamped:
+    """Where a TurtleBot's Xtion is."""
+    place = Transform(Vector3(-0.087, 0.0, 0.2972), Quaternion(-0.5, 0.5, -0.5, 0.5))
+    return TransformStamped(Header(0, rospy.Time.now(), base), camera, place)
+
+
+class Base:
+    """A base that obeys at once, on a line before a wall, and says where it is; its camera shows the wall."""
+
+    def __init__(self, robot: Guarded, gap: float) -> None:
+        self.robot, self.gap = robot, gap  # [m] between front and wall
+        self.nearest, self.start = gap, gap
+        self._odometry = rospy.Publisher(robot.namespace + "/odom", Odometry, queue_size=1, tcp_nodelay=True)
+
+    def runs(self, seconds: float) -> None:
+        until, last, shown = time.monotonic() + seconds, time.monotonic(), 0.0
+        while time.monotonic() < until:
+            time.sleep(0.01)
+            now = time.monotonic()
+            speed = self.robot.last_given().linear.x
+            self.gap -= speed * (now - last)
+            self.nearest, last = min(self.nearest, self.gap), now
+            self._say(speed)
+            if now > shown + 0.045:
+                self.robot.camera.show(hall(wall(self.gap + CAMERA_TO_FRONT))[:1])
+                shown = now
+
+    def end(self) -> None:
+        self._odometry.unregister()
+
+    def _say(self, speed: float) -> None:
+        odometry = Odometry(header=Header(0, rospy.Time.now(), "odom"), child_frame_id="base_footprint")
+        odometry.pose.pose.position.x = self.start - self.gap
+        odometry.pose.pose.orientation.w = 1.0
+        odometry.twist.twist.linear.x = speed
+        self._odometry.publish(odometry)
+
+
+@contextmanager
+def guarded_robot(
+    *remappings: str, namespace: str = "", started: Optional[ContextManager[Process]] = None, **parameters: Any
+) -> Iterator[Guarded]:
+    """A robot in a free hall whose camera has been seen; nobody drives it yet."""
+    given = [f"_{name}:={value}" for name, value in {"mode": "guard", **parameters}.items()]
+    ours = [f"__ns:={namespace}"] if namespace else []
+    with started or node("safety_control_node", *given, *ours, *remappings) as process:
+        robot = Guarded(process, namespace=namespace)
+        try:
+            robot.stands("NO_COMMAND", within=20.0)
+            yield robot
+            if process.exit_code is None:
+                process.send(signal.SIGINT)
+                assert process.wait(10.0) == 0, process.output()
+        finally:
+            robot.end()
+            name = namespace + "/safety_control_cloud"
+            if rospy.has_param(name):
+                rospy.delete_param(name)

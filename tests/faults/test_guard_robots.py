@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The guard on robots of their own: one that is driven, a nodelet, two on one master, a footprint."""
+import numpy as np
+import pytest
+import rospy
+from guarded import CAMERA_TO_FRONT, Base, guarded_robot, twist
+from robot import START
+from scenes import FRAME, HEIGHT, WIDTH, always, cloud_of, hall, wall
+
+from safety_control_cloud.processes import process
+from safety_control_cloud.ros_session import node
+
+NOWHERE = np.full((HEIGHT, WIDTH, 3), np.nan, np.float32)
+AHEAD = twist(0.3)
+NODELET = ["rosrun", "nodelet", "nodelet", "standalone", "safety_control_cloud/SafetyControlNodelet",
+           "__name:=safety_control_cloud", "_mode:=guard"]
+
+
+def test_a_robot_that_is_driven_at_a_wall_stops_before_it_and_backs_off(master):
+    with guarded_robot() as robot:
+        base = Base(robot, 1.0)
+        robot.driver.say(twist(0.6))
+        base.runs(6.0)
+        assert 0.02 < base.nearest == pytest.approx(base.gap, abs=0.01)
+        assert base.gap < 0.25, "it came near"
+        assert robot.states.all()[-1].stuck
+        before = base.gap
+        robot.driver.say(twist(-0.1))
+        base.runs(1.5)
+        assert base.gap > before + 0.08
+        base.end()
+
+
+def test_the_nodelet_guards_as_the_node_does(master):
+    with guarded_robot(started=process(NODELET)) as robot:
+        robot.driver.say(AHEAD)
+        robot.passes(AHEAD)
+        robot.driver.say(twist(0.5, 0.2))
+        robot.camera.show(hall(wall(0.4 + CAMERA_TO_FRONT)))
+        robot.gives(lambda state: 0.1 < state.factor < 0.9)
+        robot.camera.show(always(cloud_of(NOWHERE)))
+        robot.stands("BLIND")
+
+
+def test_two_robots_on_one_master_are_guarded_apart(master):
+    frames = [dict(namespace=f"/robot{i}", base_frame=f"robot{i}/base_footprint") for i in (1, 2)]
+    with guarded_robot(**frames[0]) as one, guarded_robot(**frames[1]) as other:
+        for robot in (one, other):
+            robot.driver.say(AHEAD)
+            robot.passes(AHEAD)
+        one.camera.show(always(cloud_of(NOWHERE, frame=f"robot1/{FRAME}")))
+        one.stands("BLIND")
+        other.passes(AHEAD)
+
+
+def test_a_list_of_corners_is_a_footprint_and_an_unfit_one_refused(master):
+    with node("safety_control_node", "_mode:=guard", "_footprint:=[[0.1, 0.1], [0.2, 0.2]]") as running:
+        assert running.wait(START) == 1
+        assert "at least 3 corners" in running.output()
+    rospy.delete_param("/safety_control_cloud")
+    with guarded_robot(footprint="[[0.2, 0.2], [-0.2, 0.2], [-0.2, -0.2], [0.2, -0.2]]") as robot:
+        robot.driver.say(AHEAD)
+        robot.passes(AHEAD)
