@@ -98,11 +98,12 @@ def test_what_is_published_of_a_cause_is_the_cores_name(file):
 
 
 def test_the_readmes_topics_are_the_nodes():
-    table = README.read_text().split("## Topics")[1].split("\n## ")[0]
+    table = README.read_text().split("## Topics")[1].split("\n## ")[0] + (SOURCES / "GUARD.md").read_text()
     told = set(re.findall(r"^\| (?:in|out|service) \| `[~/]?([\w/]+)` \|", table, re.MULTILINE))
     sources = "".join(path.read_text() for path in sorted((SOURCES / "ros").rglob("*.cpp")))
     made = set(re.findall(r'advertise(?:Service)?(?:<[\w:]+>)?\("([\w/]+)"', sources)) | {"cmd_vel_mux/input/teleop"}
     made |= set(re.findall(r'"(camera/depth/\w+)"', sources)) | {"tf", "diagnostics"}  # by libraries
+    made |= {"cmd_vel_in", "odom", "cmd_vel"}  # of the guard
     assert told == made
 
 
@@ -121,7 +122,7 @@ def test_every_parameter_that_a_page_sets_exists(page):
 
     known = {*core.Settings().as_dict(), "image_transport"}
     named = re.findall(r"`_?(\w+): [-\d.\w]+`", page.read_text()) + re.findall(r"`~([a-z_]+)(?:[:=][^`]*)?`", page.read_text())
-    topics = {"state", "markers", "reset", "active", "contacts"}
+    topics = {"state", "blocked", "markers", "reset", "active", "contacts"}
     assert set(named) - known - topics == set()
 
 

@@ -35,7 +35,7 @@ TOP_LEVEL = {
 }
 TOOLS_OF_A_CLONE = {"setup", "test", "demo", "bench", "trials"}
 SOURCE_FOLDERS = {"core", "ros", "python", "launch", "config", "rviz", "urdf"}
-PAGES = {"README.md", "TUTORIAL.md", "LIMITS.md"}
+PAGES = {"GUARD.md", "README.md", "TUTORIAL.md", "LIMITS.md"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD = re.compile(r"[a-z_0-9]+")  # <vector>, <cmath>: neither folder nor ending

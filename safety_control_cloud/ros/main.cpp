@@ -11,6 +11,7 @@
 
 #include "input/receive_memory.hpp"
 #include "nodes.hpp"
+#include "parameters.hpp"
 
 namespace {
 
