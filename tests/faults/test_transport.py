@@ -88,7 +88,7 @@ def test_two_hundred_clouds_a_second_delay_no_stop(robot):
     robot.drives()
 
 
-@pytest.mark.with_parameters(stamp_tolerance=20)  # how long this machine takes to send it is not the question
+@pytest.mark.with_parameters(stamp_tolerance=20, source_timeout=5)  # how long this machine takes to send it is not the question
 def test_a_cloud_of_4096_x_3072_points_is_looked_at(robot):
     height, width = 3072, 4096
     points = np.zeros((height, width, 3), np.float32)
