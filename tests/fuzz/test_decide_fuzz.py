@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A minute of fuzzing: SAFETY_CONTROL_FUZZ=600 makes it ten. The corpus stays in build/fuzz/corpus, so that the next run goes on."""
+"""Half a minute of fuzzing: SAFETY_CONTROL_FUZZ=600 makes it ten. The corpus stays in build/fuzz/corpus, so that the next run goes on."""
 import os
 import shutil
 import subprocess
@@ -9,7 +9,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build" / "fuzz"
-SECONDS = int(os.environ.get("SAFETY_CONTROL_FUZZ", "60"))
+SECONDS = int(os.environ.get("SAFETY_CONTROL_FUZZ", "30"))
 PYTHON = "/usr/bin/python3"  # ROS's own, see scripts/setup
 
 
