@@ -39,12 +39,6 @@ bool is_picture(const View& view) {
   return width >= 2 && height >= 2 && width <= most && height <= most;
 }
 
-/// That points do not part a thing which lie this many cells apart.
-int gap_of(float cells_apart) {
-  constexpr int least = 2, most = 12;
-  return std::clamp(static_cast<int>(std::ceil(1.5f * cells_apart)), least, most);
-}
-
 Axis axis_of(const Outlook& outlook) {
   if (!outlook.placement) return {};
   const auto& [x, y, z] = outlook.placement->rows;
@@ -124,8 +118,7 @@ std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight,
   const std::size_t least = std::min(least_pixels, 1 + raster_.filled() / pixels_of_few);
   const Sight in_raster = look(raster, outlook, Crop::Skip, Rows::Apart);
   const bool sparse = 10 * raster_.filled() > 7 * sight.returns;
-  remember({picture, outlook, in_raster.nearest_in_rows, watched_distance(), least,
-            gap_of(raster_.cells_apart(near_distance())), sparse});
+  remember({picture, outlook, in_raster.nearest_in_rows, watched_distance(), least, 2, sparse});
   return lost(outlook);
 }
 

@@ -75,14 +75,6 @@ void Raster::fit(const std::vector<Point>& returns) {
   grid_ = grid;
 }
 
-float Raster::cells_apart(float distance) const {
-  constexpr std::size_t coarse = 8;  // boxes wider than a voxel filter's near points lie apart
-  std::vector<Point> near;
-  std::copy_if(returns_.begin(), returns_.end(), std::back_inserter(near),
-               [distance](const Point& point) { return point.z < distance; });
-  return near.empty() ? 0.0f : spacing_in_boxes<coarse>(near, grid_) / grid_.cell;
-}
-
 View Raster::picture_of(const View& points, const Corridor& corridor) {
   returns_.clear();
   for_each_point(points, [&](float x, float y, float z) {

@@ -32,9 +32,6 @@ class Raster {
   /// The picture of these points, as far as they are returns; valid until the next one.
   View picture_of(const View& points, const Corridor& corridor);
 
-  /// How far returns nearer than this [m] along z lie apart, in cells; 0 if there are none. A voxel filter leaves near
-  /// things with points that lie much farther apart than those of a far wall.
-  float cells_apart(float distance) const;
   std::size_t filled() const { return filled_; }  ///< cells that hold a return
   const Grid& grid() const { return grid_; }
 

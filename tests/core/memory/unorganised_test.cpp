@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cmath>
-#include <map>
-
 #include "../../../safety_control_cloud/core/memory/raster.hpp"
 #include "looking_robot.hpp"
 
@@ -107,34 +103,6 @@ TEST(Unorganised, PointsThatAllLieFarAsideAreAPictureOfNothing) {
   const std::vector<Xyz> aside(50, Xyz{10.0f, 0.0f, 1.0f});
   for (int i = 0; i < 5; ++i)
     EXPECT_EQ(robot.sees(view_of(aside)).cause, Cause::NearLoss) << "nothing is seen behind it";
-}
-
-/// The middle of what lies in each cell of a grid in space, as pcl::VoxelGrid makes it.
-std::vector<Xyz> voxels(const Scene& scene, float leaf) {
-  std::map<std::array<int, 3>, std::array<float, 4>> cells;
-  for (const Xyz& point : scene.returns()) {
-    const auto index = [leaf](float value) { return static_cast<int>(std::floor(value / leaf)); };
-    auto& [x, y, z, count] = cells[{index(point.x), index(point.y), index(point.z)}];
-    x += point.x, y += point.y, z += point.z, count += 1.0f;
-  }
-  std::vector<Xyz> points;
-  for (const auto& [place, sum] : cells) {
-    points.push_back({sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3]});
-  }
-  return points;
-}
-
-TEST(Unorganised, ThingOfFewFarApartVoxelsIsRemembered) {
-  const Board wall = {3.0f, -9.0f, 9.0f, -9.0f, 9.0f};
-  for (const float leaf : {0.02f, 0.03f, 0.04f, 0.05f}) {
-    Robot robot;
-    Decision decision;
-    for (float z = 0.55f; z > 0.37f; z -= 0.015f) {
-      decision = robot.sees(view_of(voxels(Scene({{z, -0.15f, 0.15f, -0.2f, 0.1f}, wall}), leaf)));
-    }
-    EXPECT_EQ(decision.speed, 0.0) << leaf;
-    EXPECT_EQ(decision.cause, Cause::NearLoss) << leaf;
-  }
 }
 
 }  // namespace
