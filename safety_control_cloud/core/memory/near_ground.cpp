@@ -19,32 +19,36 @@ constexpr std::size_t edge_share = 128;
 
 }  // namespace
 
-NearGround::Code NearGround::code_of(const Point& point, const Outlook& outlook, const Point& camera,
-                                     float distance) const {
-  if (!returned(point)) return nothing;
-  const Point place = placed(point, outlook);
-  const float ahead = place.z - camera.z;
-  const Corridor& corridor = outlook.corridor;
-  if (!(ahead < distance) || !(place.z > 0.0f) || !corridor.spans(place.x) || !(place.y >= corridor.y_min))
-    return elsewhere;
-  if (place.y <= corridor.y_max) return near;
-  return static_cast<Code>(0.5f + 1000.0f * std::clamp(place.y - camera.y, 0.0f, 30.0f));
-}
-
-/// Whether it shows any near ground.
+/// Whether it shows any near ground. Which pixels return is as good as random where a camera is noisy: a branch on it
+/// would cost more than the code does, so each code is computed for all of them, and then chosen from.
 bool NearGround::read_row(const Pixels& picture, const Outlook& outlook, float distance, std::size_t number,
-                          std::size_t every) {
-  const Point camera = outlook.camera();
-  const std::size_t row = picture_row(number);
-  Code* codes = this->row(number);
-  bool any = false;
-  picture.along(row, every * column_step_, [&](std::size_t column, const Point& point) {
-    const std::size_t i = column / column_step_;
-    const Code code = code_of(point, outlook, camera, distance);
-    any = any || code >= 0;
-    std::fill(codes + i, codes + std::min(columns_, i + every), code);
-  });
-  return any;
+                          Columns which) {
+  picture.read(picture_row(number), (which == Columns::All ? 1 : probe) * column_step_, outlook, read_);
+  const float *const x = read_.x.data(), *const y = read_.y.data(), *const z = read_.z.data();
+  const std::size_t size = read_.z.size();
+  const Corridor& corridor = outlook.corridor;
+  const float left = corridor.x_min, right = corridor.x_max, top = corridor.y_min, bottom = corridor.y_max;
+  const float camera_y = outlook.camera().y, camera_z = outlook.camera().z;
+  codes_read_.resize(size);
+  Code* const read = codes_read_.data();
+  int highest = nothing;
+  for (std::size_t i = 0; i < size; ++i) {
+    const float below = y[i] - camera_y, positive = below > 0.0f ? below : 0.0f;
+    const auto ground = static_cast<int>(0.5f + 1000.0f * (positive < 30.0f ? positive : 30.0f));
+    const bool ahead = (z[i] - camera_z < distance) & (z[i] > 0.0f);
+    const bool inside = (x[i] >= left) & (x[i] <= right) & (y[i] >= top);
+    const int here = y[i] <= bottom ? int{near} : ground, shown = ahead & inside ? here : int{elsewhere};
+    const int code = z[i] == z[i] ? shown : int{nothing};
+    read[i] = static_cast<Code>(code);
+    highest = highest > code ? highest : code;
+  }
+  Code* const codes = row(number);
+  if (which == Columns::All) {
+    std::copy(read, read + size, codes);
+  } else {
+    for (std::size_t i = 0; i < columns_; ++i) codes[i] = read[i / probe];
+  }
+  return highest >= 0;
 }
 
 void NearGround::look_at(const Pixels& picture, const Outlook& outlook, float distance) {
@@ -64,9 +68,9 @@ void NearGround::look_at(const Pixels& picture, const Outlook& outlook, float di
       std::copy_n(row(rows_ - 1), columns_, row(rows_));
       continue;
     }
-    const bool shown = read_row(picture, outlook, distance, rows_, sure ? 1 : probe);
+    const bool shown = read_row(picture, outlook, distance, rows_, sure ? Columns::All : Columns::Probes);
     for (std::size_t i = begun ? rows_ : rows_ - std::min(rows_, probe - 1); shown && !sure && i <= rows_; ++i) {
-      read_row(picture, outlook, distance, i, 1);
+      read_row(picture, outlook, distance, i, Columns::All);
     }
     begun = begun || shown;
     gap = begun && !shown ? gap + 1 : 0;

@@ -46,10 +46,14 @@ class NearGround {
  private:
   enum class Stand { Hangs, Stands, Unseen };  ///< on the near floor; unseen where nothing returns below it
 
-  Code code_of(const Point& point, const Outlook& outlook, const Point& camera, float distance) const;
-  bool read_row(const Pixels& picture, const Outlook& outlook, float distance, std::size_t number, std::size_t every);
+  enum class Columns { All, Probes };
+
+  bool read_row(const Pixels& picture, const Outlook& outlook, float distance, std::size_t number, Columns which);
   Stand stand_of(const Foot& foot) const;
 
+  // Of one row, as far as it is read.
+  PixelRow read_;
+  std::vector<Code> codes_read_;
   std::vector<Code> codes_;
   std::vector<char> near_;
   std::size_t rows_ = 0, columns_ = 0, height_ = 0, row_step_ = 1, column_step_ = 1;

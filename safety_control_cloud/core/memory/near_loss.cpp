@@ -2,7 +2,6 @@
 #include "near_loss.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "../look/look.hpp"
@@ -118,7 +117,7 @@ std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight,
   const std::size_t least = std::min(least_pixels, 1 + raster_.filled() / pixels_of_few);
   const Sight in_raster = look(raster, outlook, Crop::Skip, Rows::Apart);
   const bool sparse = 10 * raster_.filled() > 7 * sight.returns;
-  remember({picture, outlook, in_raster.nearest_in_rows, watched_distance(), least, 2, sparse});
+  remember({picture, outlook, in_raster.nearest_in_rows, watched_distance(), least, sparse});
   return lost(outlook);
 }
 

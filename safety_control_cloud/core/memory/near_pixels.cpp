@@ -40,7 +40,7 @@ class Lines {
   }
 
  private:
-  bool is_near(float ahead) const { return ahead > 0.0f && ahead < search_.distance; }
+  bool is_near(float ahead) const { return (ahead > 0.0f) & (ahead < search_.distance); }
 
   void take(std::size_t row) {
     const std::size_t begin = found_.pixels.size();
@@ -57,26 +57,30 @@ class Lines {
     const auto line = static_cast<std::uint16_t>(found_.rows.size());
     float nearest = std::numeric_limits<float>::infinity();
     const std::size_t begin = found_.pixels.size();
-    search_.picture.along(row, step, [&](std::size_t column, const Point& point) {
-      if (!returned(point)) return;
-      const Point place = placed(point, search_.outlook);
-      const float ahead = place.z - camera_.z;
-      if (!is_near(ahead) || !search_.outlook.corridor.holds(place) || !(place.z > 0.0f)) return;
+    search_.picture.read(row, step, search_.outlook, places_);
+    const Corridor& corridor = search_.outlook.corridor;
+    const auto& [x, y, z] = places_;
+    for (std::size_t i = 0; i < z.size(); ++i) {
+      const float ahead = z[i] - camera_.z;
+      const bool inside = (x[i] >= corridor.x_min) & (x[i] <= corridor.x_max) & (y[i] >= corridor.y_min) &
+                          (y[i] <= corridor.y_max) & (z[i] > 0.0f);
+      if (!(is_near(ahead) & inside)) continue;
       nearest = std::min(nearest, ahead);
+      const std::size_t column = i * step;
       const auto slot = static_cast<std::uint16_t>(column / found_.column_step);
-      const NearPixel pixel{
-          static_cast<std::uint16_t>(row), static_cast<std::uint16_t>(column), line, slot, point, ahead};
-      if (found_.pixels.size() == begin || found_.pixels.back().slot != slot) {
-        found_.pixels.push_back(pixel);
-      } else if (ahead < found_.pixels.back().ahead) {
-        found_.pixels.back() = pixel;
-      }
-    });
+      const bool first = found_.pixels.size() == begin || found_.pixels.back().slot != slot;
+      if (!first && !(ahead < found_.pixels.back().ahead)) continue;
+      if (!first) found_.pixels.pop_back();
+      const Point point = search_.outlook.placement ? search_.picture.at(row, column) : Point(x[i], y[i], z[i]);
+      found_.pixels.push_back(
+          {static_cast<std::uint16_t>(row), static_cast<std::uint16_t>(column), line, slot, point, ahead});
+    }
     return nearest;
   }
 
   const NearSearch& search_;
   const Point camera_;
+  PixelRow places_;  ///< of one row
   NearPixels found_;
 };
 

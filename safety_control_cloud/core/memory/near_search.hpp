@@ -15,8 +15,6 @@ struct NearSearch {
   const std::vector<float>& nearest_in_row;  ///< [m] in the corridor's axes; infinity where nothing is in the corridor
   float distance = 0.0f;                     ///< [m] ahead of the camera; what is nearer is near
   std::size_t least_pixels = 1;              ///< fewer are noise
-  /// Pixels that return nothing, or are mixed of two ranges, do not part a thing: as many slots and lines.
-  int gap = 2;
   /// A cell holds one point at most, so that a thing takes as many however far away it is.
   bool sparse = false;
 };

@@ -2,6 +2,7 @@
 #include "near_things.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -10,6 +11,8 @@
 namespace safety_control_cloud {
 namespace {
 
+/// Pixels that return nothing, or are mixed of two ranges, do not part a thing: as many slots and lines.
+constexpr std::size_t gap = 2;
 /// A surface's range changes by less from one pixel to the next that is looked at, and that of another thing by more.
 constexpr float jump = 0.06f;  // [m]
 /// The picture is asked about at most so many spots of a thing, or nearly so.
@@ -64,15 +67,15 @@ class Finding {
   void connect() {
     const auto& pixels = found_.pixels;
     left_.assign(pixels.size(), false), right_ = above_ = below_ = left_;
-    const auto gap = static_cast<std::size_t>(search_.gap);
-    std::vector<std::vector<std::size_t>> lines(gap + 1, std::vector<std::size_t>(found_.slots, none));
+    std::array<std::vector<std::size_t>, gap + 1> lines;  // the latest
+    lines.fill(std::vector<std::size_t>(found_.slots, none));
     std::size_t line = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       if (i == 0 || pixels[i].line != line) {
         line = pixels[i].line;
         std::fill(lines[line % lines.size()].begin(), lines[line % lines.size()].end(), none);
       }
-      for (std::size_t j = i; j-- > 0 && pixels[j].line == line && pixels[i].slot - pixels[j].slot <= search_.gap;) {
+      for (std::size_t j = i; j-- > 0 && pixels[j].line == line && pixels[j].slot + gap >= pixels[i].slot;) {
         if (!try_join(i, j)) continue;
         left_[i] = right_[j] = true;
         break;
@@ -87,7 +90,6 @@ class Finding {
   /// Whether something in this line is the same thing.
   bool connect_up(std::size_t i, const std::vector<std::size_t>& line, std::size_t number) {
     const auto& pixel = found_.pixels[i];
-    const auto gap = static_cast<std::size_t>(search_.gap);
     if (found_.rows[pixel.line] - found_.rows[number] > gap * found_.row_step) return false;
     const std::size_t j = line[pixel.slot];
     if (j != none && try_join(i, j)) {
@@ -95,12 +97,9 @@ class Finding {
       return true;
     }
     const auto joins = [&](std::size_t slot) { return line[slot] != none && try_join(i, line[slot]); };
-    for (std::size_t aside = 1; aside < gap; ++aside) {
-      const bool left = pixel.slot >= aside && joins(pixel.slot - aside);
-      const bool right = pixel.slot + aside < line.size() && joins(pixel.slot + aside);
-      if (left || right) return true;
-    }
-    return false;
+    const bool left = pixel.slot > 0 && joins(pixel.slot - std::size_t{1});
+    const bool right = pixel.slot + std::size_t{1} < line.size() && joins(pixel.slot + std::size_t{1});
+    return left || right;
   }
 
   bool try_join(std::size_t i, std::size_t j) {

@@ -25,6 +25,26 @@ Pixels::Pixels(const View& view, float range_min)
   });
 }
 
+void Pixels::read(std::size_t row, std::size_t step, const Outlook& outlook, PixelRow& into) const {
+  const std::size_t size = (width_ + step - 1) / step;
+  for (auto* coordinate : {&into.x, &into.y, &into.z}) coordinate->resize(size);
+  float *const xs = into.x.data(), *const ys = into.y.data(), *const zs = into.z.data();
+  std::visit(
+      [&](const auto& reader) {
+        for (std::size_t i = 0; i < size; ++i) {
+          const auto take = [&](float x, float y, float z) { xs[i] = x, ys[i] = y, zs[i] = z; };
+          reader(row, i * step, take);
+        }
+      },
+      reader_);
+  for (std::size_t i = 0; i < size; ++i) zs[i] = is_any(xs[i], ys[i], zs[i]) ? zs[i] : nothing.z;
+  if (!outlook.placement) return;
+  for (std::size_t i = 0; i < size; ++i) {
+    const Point place = outlook.placed(xs[i], ys[i], zs[i]);  // of NaN, NaN
+    xs[i] = place.x, ys[i] = place.y, zs[i] = place.z;
+  }
+}
+
 Point Pixels::near(std::ptrdiff_t row, std::ptrdiff_t column) const {
   const auto beside = [](std::ptrdiff_t i, std::size_t size) {
     return i < 0 || i >= static_cast<std::ptrdiff_t>(size);

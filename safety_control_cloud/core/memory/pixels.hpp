@@ -3,11 +3,17 @@
 
 #include <cstddef>
 #include <variant>
+#include <vector>
 
 #include "../input/point_reader.hpp"
 #include "../look/outlook.hpp"
 
 namespace safety_control_cloud {
+
+/// Some pixels of one row, in the corridor's axes [m]; z is NaN where nothing returns.
+struct PixelRow {
+  std::vector<float> x, y, z;
+};
 
 /// Which return, if any, lies in a direction: a pixel of an organised cloud, of a depth image, or of the raster that is
 /// made of a cloud that is not organised. Reads single pixels; the bytes are borrowed.
@@ -21,18 +27,8 @@ class Pixels {
 
   /// In the cloud's frame; z is NaN where nothing returns.
   Point at(std::size_t row, std::size_t column) const { return read_(*this, row, column); }
-  /// Calls visit(column, point) for every `step`-th pixel of a row.
-  template <class Visit>
-  void along(std::size_t row, std::size_t step, Visit visit) const {
-    std::visit(
-        [&](const auto& reader) {
-          for (std::size_t column = 0; column < width_; column += step) {
-            const auto take = [&](float x, float y, float z) { visit(column, point_of(x, y, z)); };
-            reader(row, column, take);
-          }
-        },
-        reader_);
-  }
+  /// Every `step`-th pixel of a row, placed, all at once.
+  void read(std::size_t row, std::size_t step, const Outlook& outlook, PixelRow& into) const;
   /// at() of a place that may lie beside the picture.
   Point near(std::ptrdiff_t row, std::ptrdiff_t column) const;
 
@@ -41,9 +37,10 @@ class Pixels {
                               CloudReader<double, true>, DepthReader<float, false>, DepthReader<float, true>,
                               DepthReader<std::uint16_t, false>, DepthReader<std::uint16_t, true>>;
 
+  /// Finite, and far enough.
+  bool is_any(float x, float y, float z) const { return (0.0f * x + 0.0f * y + 0.0f * z == 0.0f) & (z > range_min_); }
   Point point_of(float x, float y, float z) const {
-    const bool any = 0.0f * x + 0.0f * y + 0.0f * z == 0.0f && z > range_min_;  // finite
-    return any ? Point(x, y, z) : Point(0.0f, 0.0f, std::numeric_limits<float>::quiet_NaN());
+    return is_any(x, y, z) ? Point(x, y, z) : Point(0.0f, 0.0f, std::numeric_limits<float>::quiet_NaN());
   }
   template <class OneReader>
   static Point read(const Pixels& picture, std::size_t row, std::size_t column);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bitset>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "../input/point_reader.hpp"
@@ -27,8 +26,8 @@ bool is_ahead(const Point& point) {
 }
 
 /// How far points lie apart [slope]: their number over the part of the view that they fill, in boxes.
-template <std::size_t across>
-float spacing_in_boxes(const std::vector<Point>& points, const Grid& grid) {
+float spacing_of(const std::vector<Point>& points, const Grid& grid) {
+  constexpr std::size_t across = 64;
   std::bitset<across * across> filled;
   const float wide = (grid.right - grid.left) / across, high = (grid.bottom - grid.top) / across;
   const auto index = [](float slope, float least, float step) {
@@ -39,8 +38,6 @@ float spacing_in_boxes(const std::vector<Point>& points, const Grid& grid) {
   }
   return std::sqrt(static_cast<float>(filled.count()) * wide * high / static_cast<float>(points.size()));
 }
-
-float spacing_of(const std::vector<Point>& points, const Grid& grid) { return spacing_in_boxes<64>(points, grid); }
 
 /// However far beside the grid.
 std::ptrdiff_t cell_at(float slope, float least, float cell) {
