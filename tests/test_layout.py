@@ -27,7 +27,7 @@ ROOMS_OF_CORE = {
     "guard": {"text", "input", "look", "doubt", "path", "speed"},
 }
 KERNEL_OF_LOOK = "look/look.cpp"  # the one door from the room into its kernel
-ROOMS_OF_ROS = {"command": set(), "input": set(), "memory": set(), "output": set()}
+ROOMS_OF_ROS = {"time": set(), "command": {"time"}, "input": {"time"}, "memory": {"time"}, "output": {"time"}}
 
 TOP_LEVEL = {
     *("safety_control_cloud", "tests", "scripts", "CMakeLists.txt", "package.xml", "README.md"),

@@ -76,8 +76,8 @@ void GuardControl::adopt(const Settings& settings) {
   taken_.reset();  // what was collected was collected within other limits
 }
 
-void GuardControl::recall(const std::vector<std::string>& remembered) {
-  if (!remembered.empty()) sensor_.recall(remembered.front());
+bool GuardControl::recall(const std::vector<std::string>& remembered) {
+  return remembered.size() == 1 && sensor_.recall(remembered.front());
 }
 
 void GuardControl::see(const Reading& reading, const Origin& origin, const Instant& now, Crop crop) {

@@ -57,7 +57,10 @@ class GuardControl {
 
   void forget_losses() { sensor_.forget_losses(); }
   std::vector<std::string> remembered() const { return {sensor_.remembered()}; }
-  void recall(const std::vector<std::string>& remembered);
+
+  /// Goes on with what another process remembered; false if it is not legible.
+  bool recall(const std::vector<std::string>& remembered);
+
 
   const Settings& settings() const { return settings_; }
 

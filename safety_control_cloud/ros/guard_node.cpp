@@ -6,16 +6,13 @@
 
 #include "command/leaving.hpp"
 #include "input/inputs.hpp"
-#include "moments.hpp"
 #include "output/guard_messages.hpp"
+#include "time/moments.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
-constexpr double shortest_wait = 1e-3;  ///< [s] so that a timer that is due does not spin
-constexpr double reset_period = 1.0;    ///< [s] a program that resets again and again is as good as no memory
-constexpr double kept_period = 0.5;     ///< [s] after which what is near is written down though the cause is the same
-constexpr double slack = 0.1;           ///< [s] by which the node may be late until another thread commands zero
+constexpr double slack = 0.1;  ///< [s] by which the node may be late until another thread commands zero
 
 Pose2 to_pose(const geometry_msgs::Pose& pose) {
   const auto& turn = pose.orientation;
@@ -29,18 +26,15 @@ Pose2 to_pose(const geometry_msgs::Pose& pose) {
 GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Delivery delivery,
                      const Settings& settings)
     : control_(settings),
-      keepsake_(private_handle, [this](const std::string& line) { log_.warn(line); }),
+      awaited_(wanted_by(settings.input, handle, private_handle)),
       commands_(handle, "cmd_vel", [this] { on_quiet(); }),
       base_(settings.base_frame),
       reports_(private_handle, log_),
-      reset_(private_handle.advertiseService("reset", &GuardNode::on_reset, this)),
+      lost_things_(private_handle, lost_things(), [this](const std::string& line) { log_.warn(line); }),
+      quiet_(handle, [this] { on_quiet(); }),
       reconfigure_(
           private_handle, settings, [this](const Settings& changed) { control_.adopt(changed); }, log_),
       diagnostics_(handle, private_handle) {
-  if (keepsake_.found()) control_.recall(*keepsake_.found());
-  constexpr bool once = true, not_yet = false;
-  const auto wake = [this](const ros::SteadyTimerEvent&) { on_quiet(); };
-  quiet_ = handle.createSteadyTimer(ros::WallDuration(1.0), wake, once, not_yet);
   on_quiet();
   const auto at_once = ros::TransportHints().tcpNoDelay();
   wanted_ = handle.subscribe<geometry_msgs::Twist>(
@@ -64,19 +58,20 @@ GuardNode::~GuardNode() {
 }
 
 void GuardNode::on_wanted(const geometry_msgs::Twist& wanted) {
-  beat();
+  gap_.beat(now(), control_.settings());
   control_.want(to_command(wanted), now());
   publish(answer());
 }
 
 void GuardNode::on_arrival(const Arrival& arrival) {
   if (last_cloud_.isZero()) log_.info(std::string(input_->what()) + " arrived");
-  beat();
+  awaited_.has_come();
+  gap_.beat(now(), control_.settings());
   last_cloud_ = ros::SteadyTime::now();
   header_ = arrival.header;
-  about_cloud_ = doubt_about(arrival.header);
+  about_cloud_ = gap_.doubt_about(arrival.header.stamp.toSec(), now(), control_.settings());
   see(arrival);
-  const Guarded& decided = answer();
+  const Guarded decided = answer();
   const double decision_time = seconds_since(last_cloud_), latency = age_of(header_);
   const bool changes = !same_bits(to_twist(decided.given), said_) || decided.cause != said_cause_;
   if (changes) publish(decided);
@@ -107,71 +102,51 @@ void GuardNode::on_odometry(const nav_msgs::Odometry& odometry) {
 }
 
 void GuardNode::on_quiet() {
-  beat();
-  const Guarded& decided = answer();
+  gap_.beat(now(), control_.settings());
+  const Guarded decided = answer();
   publish(decided);
   diagnostics_.on_quiet(to_decision(decided));
 }
 
-bool GuardNode::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& answer) {
-  answer.success = last_reset_.isZero() || seconds_since(last_reset_) >= reset_period;
-  answer.message = answer.success ? "near obstacles lost from sight are forgotten"
-                                  : "refused: near obstacles are forgotten at most once a second";
-  log_.warn("~reset: " + answer.message);
-  if (!answer.success) return true;
-  last_reset_ = ros::SteadyTime::now();
-  control_.forget_losses();
-  keepsake_.keep(control_.remembered());
-  reports_.count_reset();
-  return true;
+/// Why the robot stands whatever is wanted and seen.
+std::optional<Doubt> GuardNode::outside() const {
+  if (last_cloud_.isZero()) return lost_things_.nothing_seen();
+  return about_cloud_;
 }
 
-const Guarded& GuardNode::answer() {
+Guarded GuardNode::answer() {
   const auto commanders = commands_.doubt();
-  control_.note_outside(commanders ? commanders : about_cloud_);
-  return control_.answer(now());
+  control_.note_outside(commanders ? commanders : outside());
+  Guarded answer = control_.answer(now());
+  if (answer.cause == Cause::NoCloud) answer.reason += "; " + awaited_.why();
+  return answer;
 }
 
+LostThings::Control GuardNode::lost_things() {
+  return {[this](const std::vector<std::string>& texts) { return control_.recall(texts); },
+          [this] { return control_.remembered(); },
+          [this] {
+            control_.forget_losses();
+            reports_.count_reset();
+          }};
+}
+
+/// The next answer is due after a period, or once the camera counts as silent, if that is sooner.
 void GuardNode::publish(const Guarded& answer) {
-  wake_when_quiet();
+  const double until_silent = control_.settings().source_timeout - seconds_since(last_cloud_);
+  const double due = until_silent > 0.0 ? std::min(period(), until_silent) : period();
+  quiet_.in(due);
   said_ = to_twist(answer.given);
-  commands_.publish(said_, now().steady + period() + slack);
+  commands_.publish(said_, now().steady + due + slack);
   reports_.say(answer, control_.settings(), header_);
-  keep_what_is_near(answer);
+  lost_things_.keep(answer.cause);
   said_cause_ = answer.cause;
-}
-
-void GuardNode::keep_what_is_near(const Guarded& answer) {
-  if (answer.cause == said_cause_ && seconds_since(last_kept_) < kept_period) return;
-  keepsake_.keep(control_.remembered());
-  last_kept_ = ros::SteadyTime::now();
-}
-
-void GuardNode::beat() {
-  const Instant moment = now();
-  gap_.beat(moment.steady, moment.ros, longest_gap(control_.settings()));
-}
-
-/// What makes a cloud no reason to drive, whatever it shows.
-std::optional<Doubt> GuardNode::doubt_about(const std_msgs::Header& cloud) const {
-  const Settings& settings = control_.settings();
-  if (settings.stamp_tolerance <= 0.0) return std::nullopt;  // no stamp is to be believed
-  return gap_.doubt_about(cloud.stamp.toSec(), now().steady, longest_gap(settings));
 }
 
 /// [s] after which there is a new answer: data grow older, and the law counts on one that is no older than a cloud.
 double GuardNode::period() const {
   const Settings& settings = control_.settings();
   return std::max(0.01, std::min(1.0 / settings.publish_rate, settings.stopping.sensor_period));
-}
-
-/// Or once the camera counts as silent, if that is sooner.
-void GuardNode::wake_when_quiet() {
-  const double until_silent = control_.settings().source_timeout - seconds_since(last_cloud_);
-  const double wait = until_silent > 0.0 ? std::min(period(), until_silent + shortest_wait) : period();
-  quiet_.stop();
-  quiet_.setPeriod(ros::WallDuration(std::max(wait, shortest_wait)));
-  quiet_.start();
 }
 
 }  // namespace safety_control_cloud

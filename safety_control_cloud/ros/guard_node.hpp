@@ -4,7 +4,6 @@
 #include <geometry_msgs/Twist.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
-#include <std_srvs/Trigger.h>
 
 #include <memory>
 #include <optional>
@@ -13,15 +12,17 @@
 #include "../core/guard_control.hpp"
 #include "command/commands.hpp"
 #include "input/arrival.hpp"
+#include "input/awaited.hpp"
 #include "input/camera_place.hpp"
 #include "input/input.hpp"
 #include "input/own_gap.hpp"
-#include "memory/keepsake.hpp"
+#include "memory/lost_things.hpp"
 #include "node.hpp"
 #include "output/diagnostics.hpp"
 #include "output/guard_reports.hpp"
 #include "output/log.hpp"
 #include "reconfigure.hpp"
+#include "time/wake.hpp"
 
 namespace safety_control_cloud {
 
@@ -41,31 +42,28 @@ class GuardNode : public Node {
   void on_wanted(const geometry_msgs::Twist& wanted);
   void on_odometry(const nav_msgs::Odometry& odometry);
   void on_quiet();
-  bool on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& answer);
 
+  LostThings::Control lost_things();
   void see(const Arrival& arrival);
-  const Guarded& answer();
+  std::optional<Doubt> outside() const;
+  Guarded answer();
   void publish(const Guarded& answer);
-  void keep_what_is_near(const Guarded& answer);
-  void beat();
-  std::optional<Doubt> doubt_about(const std_msgs::Header& cloud) const;
-  void wake_when_quiet();
   double period() const;
 
   Log log_;
   GuardControl control_;
-  Keepsake keepsake_;
+  Awaited awaited_;
   Commands commands_;
   CameraPlace base_;  ///< whose frame the camera is placed in
   GuardReports reports_;
+  LostThings lost_things_;
   std::unique_ptr<Input> input_;
   ros::Subscriber wanted_, odometry_;
-  ros::ServiceServer reset_;
-  ros::SteadyTimer quiet_;
+  Wake quiet_;
   Reconfigure reconfigure_;
   Diagnostics diagnostics_;
   OwnGap gap_;
-  ros::SteadyTime last_cloud_, last_reset_, last_kept_;
+  ros::SteadyTime last_cloud_;
   std_msgs::Header header_;
   std::optional<Doubt> about_cloud_;  ///< the latest, whatever it shows
   geometry_msgs::Twist said_;

@@ -8,16 +8,12 @@
 
 #include "command/leaving.hpp"
 #include "input/inputs.hpp"
-#include "moments.hpp"
 #include "output/messages.hpp"
+#include "time/moments.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
-constexpr double shortest_wait = 1e-3;  ///< [s] so that a timer that is due does not spin
-constexpr double reset_period = 1.0;    ///< [s] a program that resets again and again is as good as no memory
-constexpr double kept_period = 0.5;     ///< [s] after which what is near is written down though the cause is the same
-constexpr char nothing_known[] = "the ROS master tells nothing of what was near before this start";
 constexpr double slack = 0.1;  ///< [s] by which the node may be late until another thread commands zero
 
 }  // namespace
@@ -26,25 +22,29 @@ SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, D
                        const Settings& settings)
     : control_(settings),
       awaited_(wanted_by(control_.settings().input, handle, private_handle)),
-      keepsake_(private_handle, [this](const std::string& line) { log_.warn(line); }),
       commands_(handle, "cmd_vel_mux/input/teleop", [this] { on_quiet(); }),
       output_(handle.advertise<sensor_msgs::PointCloud2>("output", 1)),
       reports_(private_handle, log_),
-      reset_(private_handle.advertiseService("reset", &SafetyNode::on_reset, this)),
+      lost_things_(private_handle, lost_things(), [this](const std::string& line) { log_.warn(line); }),
+      quiet_(handle, [this] { on_quiet(); }),
       reconfigure_(
           private_handle, settings, [this](const Settings& changed) { control_.adopt(changed); }, log_),
       diagnostics_(handle, private_handle) {
-  const bool recalled = keepsake_.found() && control_.recall(*keepsake_.found());
   const std::string& target_frame = control_.settings().target_frame;
   if (!target_frame.empty()) camera_place_ = std::make_unique<CameraPlace>(target_frame);
-  constexpr bool once = true, not_yet = false;
-  const auto wake = [this](const ros::SteadyTimerEvent&) { on_quiet(); };
-  quiet_ = handle.createSteadyTimer(ros::WallDuration(1.0), wake, once, not_yet);
-  if (!recalled) log_.warn(nothing_known);
   on_quiet();
   input_ = input_of(
       control_.settings().input, handle, private_handle, delivery,
       [this](const Arrival& arrival) { on_arrival(arrival); }, [this](const std::string& line) { log_.warn(line); });
+}
+
+LostThings::Control SafetyNode::lost_things() {
+  return {[this](const std::vector<std::string>& texts) { return control_.recall(texts); },
+          [this] { return control_.remembered(); },
+          [this] {
+            control_.forget_losses();
+            reports_.count_reset();
+          }};
 }
 
 SafetyNode::~SafetyNode() {
@@ -55,7 +55,7 @@ SafetyNode::~SafetyNode() {
 void SafetyNode::on_arrival(const Arrival& arrival) {
   if (last_cloud_.isZero()) log_.info(std::string(input_->what()) + " arrived");
   awaited_.has_come();
-  beat();
+  gap_.beat(now(), control_.settings());
   const double silence = last_cloud_.isZero() ? 0.0 : seconds_since(last_cloud_);
   const bool silence_was_said = said_ == Cause::Silent;
   if (silence > control_.settings().source_timeout && !silence_was_said) publish(control_.without_cloud(now()));
@@ -86,7 +86,7 @@ Placing SafetyNode::placing_of(const std_msgs::Header& cloud) const {
 }
 
 void SafetyNode::on_quiet() {
-  beat();
+  gap_.beat(now(), control_.settings());
   control_.note_outside(doubt_without_cloud());
   Decision decision = control_.without_cloud(now());
   if (decision.cause == Cause::NoCloud) decision.reason += "; " + awaited_.why();
@@ -94,62 +94,28 @@ void SafetyNode::on_quiet() {
   diagnostics_.on_quiet(decision);
 }
 
-bool SafetyNode::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& answer) {
-  answer.success = last_reset_.isZero() || seconds_since(last_reset_) >= reset_period;
-  answer.message = answer.success ? "near obstacles lost from sight are forgotten"
-                                  : "refused: near obstacles are forgotten at most once a second";
-  log_.warn("~reset: " + answer.message);
-  if (!answer.success) return true;
-  last_reset_ = ros::SteadyTime::now();
-  control_.forget_losses();
-  keepsake_.keep(control_.remembered());
-  reports_.count_reset();
-  return true;
-}
-
-void SafetyNode::beat() {
-  const Instant moment = now();
-  gap_.beat(moment.steady, moment.ros, longest_gap(control_.settings()));
-}
-
 /// Why the robot stands whatever was seen last.
 std::optional<Doubt> SafetyNode::doubt_without_cloud() {
   if (auto doubt = commands_.doubt()) return doubt;
-  if (!last_cloud_.isZero() || keepsake_.found()) return std::nullopt;
-  return Doubt{Cause::NoCloud, std::string("no cloud has arrived yet, and ") + nothing_known};
+  if (!last_cloud_.isZero()) return std::nullopt;
+  return lost_things_.nothing_seen();
 }
 
 /// What makes a cloud no reason to drive, whatever it shows.
 std::optional<Doubt> SafetyNode::doubt_about(const std_msgs::Header& cloud) {
   if (auto doubt = commands_.doubt()) return doubt;
-  const Settings& settings = control_.settings();
-  if (settings.stamp_tolerance <= 0.0) return std::nullopt;  // no stamp is to be believed
-  return gap_.doubt_about(cloud.stamp.toSec(), now().steady, longest_gap(settings));
-}
-
-void SafetyNode::publish(const Decision& decision) {
-  wake_when_quiet();
-  const double valid = std::max(source_timeout_left(), 1.0 / control_.settings().publish_rate);
-  commands_.publish(to_twist(decision), now().steady + valid + slack);
-  reports_.say(decision, control_.settings(), header_);
-  keep_what_is_near(decision);
-  said_ = decision.cause;
-}
-
-void SafetyNode::keep_what_is_near(const Decision& decision) {
-  if (decision.cause == said_ && seconds_since(last_kept_) < kept_period) return;
-  keepsake_.keep(control_.remembered());
-  last_kept_ = ros::SteadyTime::now();
+  return gap_.doubt_about(cloud.stamp.toSec(), now(), control_.settings());
 }
 
 /// The next command is due after a period without one, or the moment the camera counts as silent if that is sooner.
-void SafetyNode::wake_when_quiet() {
-  double wait = 1.0 / control_.settings().publish_rate;
-  const double until_silent = source_timeout_left();
-  if (until_silent > 0.0) wait = std::min(wait, until_silent + shortest_wait);
-  quiet_.stop();
-  quiet_.setPeriod(ros::WallDuration(std::max(wait, shortest_wait)));
-  quiet_.start();
+void SafetyNode::publish(const Decision& decision) {
+  const double period = 1.0 / control_.settings().publish_rate, until_silent = source_timeout_left();
+  quiet_.in(until_silent > 0.0 ? std::min(period, until_silent) : period);
+  const double valid = until_silent > 0.0 ? until_silent : period;
+  commands_.publish(to_twist(decision), now().steady + valid + slack);
+  reports_.say(decision, control_.settings(), header_);
+  lost_things_.keep(decision.cause);
+  said_ = decision.cause;
 }
 
 /// [s]; negative once the camera is silent.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <ros/ros.h>
-#include <std_srvs/Trigger.h>
 
 #include <memory>
 #include <optional>
@@ -15,12 +14,13 @@
 #include "input/camera_place.hpp"
 #include "input/input.hpp"
 #include "input/own_gap.hpp"
-#include "memory/keepsake.hpp"
+#include "memory/lost_things.hpp"
 #include "node.hpp"
 #include "output/diagnostics.hpp"
 #include "output/log.hpp"
 #include "output/reports.hpp"
 #include "reconfigure.hpp"
+#include "time/wake.hpp"
 
 namespace safety_control_cloud {
 
@@ -38,33 +38,29 @@ class SafetyNode : public Node {
  private:
   void on_arrival(const Arrival& arrival);
   void on_quiet();
-  bool on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& answer);
 
+  LostThings::Control lost_things();
   Decision decide(const Arrival& arrival);
   Placing placing_of(const std_msgs::Header& cloud) const;
-  void beat();
   std::optional<Doubt> doubt_without_cloud();
   std::optional<Doubt> doubt_about(const std_msgs::Header& cloud);
   void publish(const Decision& decision);
-  void keep_what_is_near(const Decision& decision);
-  void wake_when_quiet();
   double source_timeout_left() const;
 
   Log log_;
   SafetyControl control_;
   Awaited awaited_;
-  Keepsake keepsake_;
   Commands commands_;
   std::unique_ptr<CameraPlace> camera_place_;  ///< only with a target frame
   ros::Publisher output_;
   Reports reports_;
+  LostThings lost_things_;
   std::unique_ptr<Input> input_;
-  ros::ServiceServer reset_;
-  ros::SteadyTimer quiet_;
+  Wake quiet_;
   Reconfigure reconfigure_;
   Diagnostics diagnostics_;
   OwnGap gap_;
-  ros::SteadyTime last_cloud_, last_reset_, last_kept_;
+  ros::SteadyTime last_cloud_;
   std_msgs::Header header_;
   Cause said_ = Cause::NoCloud;
 };

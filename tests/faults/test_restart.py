@@ -81,16 +81,24 @@ def test_what_makes_no_sense_on_the_parameter_server_keeps_no_node_from_starting
             robot.drives(within=START)
 
 
-def test_a_first_start_says_that_nothing_is_known_of_before(master):
+@pytest.mark.parametrize("found", [None, ["nonsense"]], ids=["nothing", "nonsense"])
+@pytest.mark.parametrize("mode", ["drive", "guard"])
+def test_a_node_that_knows_nothing_of_before_says_so_and_what_it_waits_for(master, mode, found):
     if rospy.has_param(NODE + "_lost"):
         rospy.delete_param(NODE + "_lost")  # what a node of another test wrote as it ended
+    if found:
+        rospy.set_param(NODE + "_lost/things", found)
     states = Heard(NODE + "/state", SafetyState)
-    with node_under_test() as running:
-        state = states.until(lambda state: True)
+    with node_under_test("_mode:=" + mode) as running:
+        state = states.until(lambda state: "/camera/depth/points" in state.reason)
         assert (state.cause_text, state.speed) == ("NO_CLOUD", 0.0)
         assert "the ROS master tells nothing of what was near before this start" in state.reason
+        assert "the ROS master tells nothing of what was near before this start" in running.output()
         with robot_with(running, FREE) as robot:
-            robot.drives(within=START)
+            if mode == "drive":
+                robot.drives(within=START)
+            else:
+                states.until(lambda state: "NO_CLOUD" != state.cause_text)
     states.close()
 
 

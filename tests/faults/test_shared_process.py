@@ -36,8 +36,10 @@ def nodelet(master):
         yield robot
 
 
-@pytest.fixture
-def shared(master):
+@pytest.fixture(params=[None, 1.0], ids=["publish_rate", "publish_rate_1"])
+def shared(request, master):
+    if request.param:
+        rospy.set_param(NODE + "/publish_rate", request.param)
     with robot_in([str(SHARED)]) as robot:
         yield robot
 

@@ -1,21 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "own_gap.hpp"
 
+#include <algorithm>
+
 #include "../../core/text/words.hpp"
 
 namespace safety_control_cloud {
 
-void OwnGap::beat(double steady, double ros, double limit) {
-  if (last_ && steady - *last_ > limit) {
-    gap_ = steady - *last_;
-    went_on_ = steady;
-    went_on_ros_ = ros;
+namespace {
+
+/// [s] in which a node that runs does something.
+double limit(const Settings& settings) { return std::max(settings.source_timeout, 2.0 / settings.publish_rate); }
+
+}  // namespace
+
+void OwnGap::beat(const Instant& now, const Settings& settings) {
+  if (last_ && now.steady - *last_ > limit(settings)) {
+    gap_ = now.steady - *last_;
+    went_on_ = now;
   }
-  last_ = steady;
+  last_ = now.steady;
 }
 
-std::optional<Doubt> OwnGap::doubt_about(double stamp, double steady, double limit) const {
-  if (!went_on_ || steady - *went_on_ > limit || stamp >= went_on_ros_) return std::nullopt;
+std::optional<Doubt> OwnGap::doubt_about(double stamp, const Instant& now, const Settings& settings) const {
+  if (settings.stamp_tolerance <= 0.0) return std::nullopt;
+  if (!went_on_ || now.steady - went_on_->steady > limit(settings) || stamp >= went_on_->ros) return std::nullopt;
   return Doubt{Cause::Stale,
                "the cloud is from before this node went on, which had stood still for " + measured(gap_, "s")};
 }

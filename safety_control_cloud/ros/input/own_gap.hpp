@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "../../core/doubt/doubt.hpp"
+#include "../../core/sensor.hpp"
+#include "../../core/settings.hpp"
 
 namespace safety_control_cloud {
 
@@ -11,18 +13,18 @@ namespace safety_control_cloud {
 /// its sockets when it goes on was sent before or meanwhile.
 class OwnGap {
  public:
-  /// The process runs: called often, also where nothing arrives. A gap is longer than `limit` [s].
-  void beat(double steady, double ros, double limit);
+  /// The process runs: called often, also where nothing arrives. A node that runs does something in the longer of
+  /// source_timeout and two periods of publish_rate; a gap is longer.
+  void beat(const Instant& now, const Settings& settings);
 
-  /// Of a cloud with this stamp [s] that is taken now: a doubt if it is from before the process went on. For `limit`
-  /// [s] after that: later the stamps are of another clock.
-  std::optional<Doubt> doubt_about(double stamp, double steady, double limit) const;
+  /// Of a cloud with this stamp [s] that is taken now: a doubt if it is from before the process went on. For as long
+  /// as the limit after that: later the stamps are of another clock. None where no stamp is to be believed.
+  std::optional<Doubt> doubt_about(double stamp, const Instant& now, const Settings& settings) const;
 
  private:
   std::optional<double> last_;  ///< [s] steady
   double gap_ = 0.0;            ///< [s]
-  std::optional<double> went_on_;
-  double went_on_ros_ = 0.0;
+  std::optional<Instant> went_on_;
 };
 
 }  // namespace safety_control_cloud

@@ -4,16 +4,13 @@
 #include <boost/make_shared.hpp>
 
 #include "../../core/text/words.hpp"
+#include "../time/moments.hpp"
 #include "guard_markers.hpp"
 #include "guard_messages.hpp"
+#include "periods.hpp"
 
 namespace safety_control_cloud {
 namespace {
-
-constexpr double log_period = 1.0;      ///< [s] between two lines that say the same
-constexpr double markers_period = 0.1;  ///< [s] rviz needs no more
-
-double seconds_since(const ros::SteadyTime& then) { return (ros::SteadyTime::now() - then).toSec(); }
 
 const char* what_is_given(const Guarded& answer) {
   if (answer.factor >= 1.0) return "Passes";

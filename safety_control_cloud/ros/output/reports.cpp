@@ -6,17 +6,14 @@
 #include <optional>
 
 #include "../../core/text/words.hpp"
+#include "../time/moments.hpp"
 #include "advice.hpp"
 #include "markers.hpp"
 #include "messages.hpp"
+#include "periods.hpp"
 
 namespace safety_control_cloud {
 namespace {
-
-constexpr double log_period = 1.0;      ///< [s] between two lines that say the same
-constexpr double markers_period = 0.1;  ///< [s] rviz needs no more
-
-double seconds_since(const ros::SteadyTime& then) { return (ros::SteadyTime::now() - then).toSec(); }
 
 /// The same moment by ROS time, which may be younger than that.
 ros::Time ros_time_of(const std::optional<double>& steady) {
@@ -58,9 +55,8 @@ void Reports::say_in_log(const Decision& decision, const std_msgs::Header& cloud
     log_.info(zone);
   } else {
     const std::string hint = decision.hint.empty() ? "" : "; it drives again when " + decision.hint;
-    const double age = ros::Time::now().toSec() - cloud.stamp.toSec();
     log_.warn(words(zone, ": ", name_of(decision.cause), ", ", decision.reason, hint,
-                    advice_for(decision.cause, age, node_)));
+                    advice_for(decision.cause, age_of(cloud), node_)));
   }
   logged_ = decision;
   last_log_ = ros::SteadyTime::now();

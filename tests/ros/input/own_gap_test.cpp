@@ -6,25 +6,32 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double limit = 0.5;  ///< [s]
+Settings half_a_second() {
+  Settings settings;
+  settings.source_timeout = 0.5;
+  settings.publish_rate = 10.0;
+  return settings;
+}
+
+const Settings limit = half_a_second();
 
 TEST(OwnGap, WhoNeverStoodStillDoubtsNothing) {
   OwnGap gap;
   for (double now = 10.0; now < 20.0; now += 0.4) {
-    gap.beat(now, 1000.0 + now, limit);
-    EXPECT_FALSE(gap.doubt_about(0.0, now, limit));
+    gap.beat({now, 1000.0 + now}, limit);
+    EXPECT_FALSE(gap.doubt_about(0.0, {now, 1000.0 + now}, limit));
   }
 }
 
 TEST(OwnGap, ACloudFromBeforeTheNodeWentOnIsDoubtedForAShortTime) {
   OwnGap gap;
-  gap.beat(10.0, 1010.0, limit);
-  gap.beat(12.0, 1012.0, limit);
-  EXPECT_EQ(gap.doubt_about(1011.9, 12.0, limit)->reason,
+  gap.beat({10.0, 1010.0}, limit);
+  gap.beat({12.0, 1012.0}, limit);
+  EXPECT_EQ(gap.doubt_about(1011.9, {12.0, 1012.0}, limit)->reason,
             "the cloud is from before this node went on, which had stood still for 2.000 s");
-  EXPECT_TRUE(gap.doubt_about(1010.0, 12.4, limit));
-  EXPECT_FALSE(gap.doubt_about(1012.1, 12.1, limit)) << "taken since";
-  EXPECT_FALSE(gap.doubt_about(1012.3, 12.6, limit)) << "by a clock that runs late";
+  EXPECT_TRUE(gap.doubt_about(1010.0, {12.4, 1012.4}, limit));
+  EXPECT_FALSE(gap.doubt_about(1012.1, {12.1, 1012.1}, limit)) << "taken since";
+  EXPECT_FALSE(gap.doubt_about(1012.3, {12.6, 1012.6}, limit)) << "by a clock that runs late";
 }
 
 }  // namespace

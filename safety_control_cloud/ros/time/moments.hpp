@@ -4,10 +4,7 @@
 #include <ros/time.h>
 #include <std_msgs/Header.h>
 
-#include <algorithm>
-
-#include "../core/sensor.hpp"
-#include "../core/settings.hpp"
+#include "../../core/sensor.hpp"
 
 namespace safety_control_cloud {
 
@@ -17,10 +14,5 @@ inline double age_of(const std_msgs::Header& cloud) { return ros::Time::now().to
 inline double seconds_since(const ros::SteadyTime& then) { return (ros::SteadyTime::now() - then).toSec(); }
 
 inline Instant now() { return Instant{ros::SteadyTime::now().toSec(), ros::Time::now().toSec()}; }
-
-/// [s] in which a node that runs does something.
-inline double longest_gap(const Settings& settings) {
-  return std::max(settings.source_timeout, 2.0 / settings.publish_rate);
-}
 
 }  // namespace safety_control_cloud

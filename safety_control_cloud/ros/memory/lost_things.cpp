@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lost_things.hpp"
+
+#include <utility>
+
+#include "../time/moments.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double reset_period = 1.0;  ///< [s] a program that resets again and again is as good as no memory
+constexpr double kept_period = 0.5;   ///< [s] after which what is near is written down though the cause is the same
+constexpr char nothing_known[] = "the ROS master tells nothing of what was near before this start";
+
+}  // namespace
+
+LostThings::LostThings(ros::NodeHandle& private_handle, Control control, Keepsake::Say warn)
+    : control_(std::move(control)),
+      warn_(std::move(warn)),
+      keepsake_(private_handle, warn_),
+      known_(keepsake_.found() && control_.recall(*keepsake_.found())),
+      reset_(private_handle.advertiseService("reset", &LostThings::on_reset, this)) {
+  if (!known_) warn_(nothing_known);
+}
+
+void LostThings::keep(Cause cause) {
+  if (cause == cause_ && seconds_since(last_kept_) < kept_period) return;
+  keepsake_.keep(control_.remembered());
+  cause_ = cause;
+  last_kept_ = ros::SteadyTime::now();
+}
+
+Doubt LostThings::nothing_seen() const {
+  const std::string reason = "no cloud has arrived yet";
+  return {Cause::NoCloud, known_ ? reason : reason + ", and " + nothing_known};
+}
+
+bool LostThings::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& answer) {
+  answer.success = last_reset_.isZero() || seconds_since(last_reset_) >= reset_period;
+  answer.message = answer.success ? "near obstacles lost from sight are forgotten"
+                                  : "refused: near obstacles are forgotten at most once a second";
+  warn_("~reset: " + answer.message);
+  if (!answer.success) return true;
+  last_reset_ = ros::SteadyTime::now();
+  control_.forget();
+  keepsake_.keep(control_.remembered());
+  return true;
+}
+
+}  // namespace safety_control_cloud

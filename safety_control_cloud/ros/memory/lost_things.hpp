@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "../../core/doubt/doubt.hpp"
+#include "keepsake.hpp"
+
+namespace safety_control_cloud {
+
+/// What the control remembers of near things, beyond the life of this process: recalled at its start, written down
+/// while it runs, forgotten at ~reset.
+class LostThings {
+ public:
+  struct Control {
+    std::function<bool(const std::vector<std::string>&)> recall;  ///< false: not legible
+    std::function<std::vector<std::string>()> remembered;
+    std::function<void()> forget;
+  };
+
+  /// Recalls at once what another process remembered.
+  LostThings(ros::NodeHandle& private_handle, Control control, Keepsake::Say warn);
+
+  /// Writes down what is remembered, if `cause` is another than before or it was long ago.
+  void keep(Cause cause);
+
+  /// Nothing has been seen yet. The reason says so where nobody knows what was near before, either.
+  Doubt nothing_seen() const;
+
+ private:
+  bool on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& answer);
+
+  const Control control_;
+  const Keepsake::Say warn_;
+  Keepsake keepsake_;
+  const bool known_;
+  std::optional<Cause> cause_;
+  ros::SteadyTime last_kept_, last_reset_;
+  ros::ServiceServer reset_;
+};
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wake.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double shortest = 1e-3;  ///< [s] so that a timer that is due does not spin
+
+}  // namespace
+
+Wake::Wake(ros::NodeHandle& handle, std::function<void()> call)
+    : call_(std::move(call)), timer_([this, &handle] {
+        constexpr bool once = true, not_yet = false;
+        return handle.createSteadyTimer(
+            ros::WallDuration(1.0), [this](const ros::SteadyTimerEvent&) { on_timer(); }, once, not_yet);
+      }()) {}
+
+void Wake::in(double seconds) {
+  const double wait = std::max(seconds, shortest);
+  due_ = ros::SteadyTime::now() + ros::WallDuration(wait);
+  if (fires_.isZero() || due_ < fires_) set_timer(wait);
+}
+
+void Wake::on_timer() {
+  fires_ = ros::SteadyTime();
+  const double left = (due_ - ros::SteadyTime::now()).toSec();
+  left > 0.0 ? set_timer(std::max(left, shortest)) : call_();
+}
+
+void Wake::set_timer(double seconds) {
+  timer_.stop();
+  timer_.setPeriod(ros::WallDuration(seconds));
+  timer_.start();
+  fires_ = ros::SteadyTime::now() + ros::WallDuration(seconds);
+}
+
+}  // namespace safety_control_cloud
