@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every TEST of every gtest executable as a test of its own, in a process of its own."""
+"""Every TEST of every gtest executable as a test of its own."""
+import re
 import subprocess
+from functools import lru_cache
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILDS = {"": ROOT / "build", "sanitized/": ROOT / "build" / "sanitized"}
-SECONDS = 120
+SECONDS = 300  # for all tests of an executable
+ENDED = re.compile(r"^\[ RUN      \] (\S+)\n((?:.*\n)*?)\[ +(OK|SKIPPED|FAILED) +\] \1(?=[ ,])", re.MULTILINE)
 
 
 def executables():
@@ -40,26 +43,89 @@ def parameters():
         yield from (pytest.param(executable, name, id=f"{label}/{name}") for name in names_in(listing.stdout))
 
 
-def reason_in(output):
-    """What GTEST_SKIP() was given, which stands between "[ RUN      ]" and "[  SKIPPED ]"."""
-    return " ".join(output.split("[ RUN      ]")[-1].split("[  SKIPPED ]")[0].split("\n", 1)[1].split())
+class Results:
+    """Of some tests of one executable, run one after the other in one process: its start takes longer than most tests."""
+
+    def __init__(self, executable, names):
+        self.tests = {}  # name: what it printed, and "OK", "SKIPPED" or "FAILED"
+        command = [executable, "--gtest_filter=" + ":".join(names)]
+        try:
+            result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=SECONDS)
+        except subprocess.TimeoutExpired as late:
+            self.output = f"not done after {SECONDS} s\n{(late.stdout or b'').decode(errors='replace')}"
+            return
+        self.output = f"exit {result.returncode}\n{result.stdout}"
+        tests = {name: (said, end) for name, said, end in ENDED.findall(result.stdout)}
+        # What a sanitizer finds when all is over is of no test, and so of every one.
+        if result.returncode == 0 or "FAILED" in {end for _, end in tests.values()}:
+            self.tests = tests
+
+    def judge(self, name):
+        said, end = self.tests.get(name, (self.output, "no end"))
+        if end == "SKIPPED":
+            pytest.skip(" ".join(said.split("\n", 1)[1].split()))  # what GTEST_SKIP() was given, after where it stands
+        if end != "OK":
+            pytest.fail(f"{end}\n{said}", pytrace=False)
+
+
+@pytest.fixture(scope="module")
+def results(request):
+    """executable -> Results of all its tests that are chosen."""
+    chosen = {}
+    for item in request.session.items:
+        if item.function is request.module.test_gtest and item.callspec.params["name"]:
+            chosen.setdefault(item.callspec.params["executable"], []).append(item.callspec.params["name"])
+    return lru_cache(maxsize=None)(lambda executable: Results(executable, chosen[executable]))
 
 
 @pytest.mark.parametrize("executable, name", parameters())
-def test_gtest(executable, name):
+def test_gtest(executable, name, results):
     if name is None:
         pytest.fail(f"{executable} cannot be run; scripts/test builds it", pytrace=False)
-    result = subprocess.run(
-        [executable, f"--gtest_filter={name}"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=SECONDS
-    )
-    if result.returncode != 0:
-        pytest.fail(f"exit {result.returncode}\n{result.stdout}", pytrace=False)
-    if "[  SKIPPED ]" in result.stdout:
-        pytest.skip(reason_in(result.stdout))
-    assert "[  PASSED  ] 1 test" in result.stdout
+    results(executable).judge(name)
 
 
 def test_the_gtests_are_built():
     built = dict(executables())
     assert any(label.startswith("core/") for label in built)
     assert any(label.startswith("sanitized/core/") for label in built)
+
+
+PROGRAM = """#!/bin/sh
+echo "[ RUN      ] Eye.Sees
+[       OK ] Eye.Sees (0 ms)
+[ RUN      ] All/Eye.Blinks/0
+eye_test.cpp:9: Failure
+[  FAILED  ] All/Eye.Blinks/0, where GetParam() = 7 (3 ms)
+[ RUN      ] Eye.Closes"
+exit {exit}
+"""
+
+
+@pytest.mark.parametrize(
+    "name, exit, end",
+    [
+        ("Eye.Sees", 1, None),
+        ("Eye.Sees", 0, None),
+        ("All/Eye.Blinks/0", 1, "FAILED\neye_test.cpp:9: Failure"),
+        ("Eye.Closes", 139, "no end\nexit 139\n[ RUN"),
+    ],
+)
+def test_a_test_is_judged_by_its_own_end(name, exit, end, tmp_path):
+    program = tmp_path / "eye_test"
+    program.write_text(PROGRAM.format(exit=exit))
+    program.chmod(0o755)
+    results = Results(program, [name])
+    if end is None:
+        results.judge(name)
+    else:
+        with pytest.raises(pytest.fail.Exception, match=re.escape(end)):
+            results.judge(name)
+
+
+def test_what_is_found_when_all_is_over_fails_every_test(tmp_path):
+    program = tmp_path / "eye_test"
+    program.write_text('#!/bin/sh\necho "[ RUN      ] Eye.Sees\n[       OK ] Eye.Sees (0 ms)\nLeakSanitizer: 8 bytes"; exit 23\n')
+    program.chmod(0o755)
+    with pytest.raises(pytest.fail.Exception, match="exit 23"):
+        Results(program, ["Eye.Sees"]).judge("Eye.Sees")

@@ -23,7 +23,7 @@ SKIPS = {
     "module": 'import pytest\npytest.skip("no camera", allow_module_level=True)\n',
     "import": 'import pytest\npytest.importorskip("camera_that_is_not_there", reason="no camera")\n',
     "unittest": 'import unittest\nclass TestEye(unittest.TestCase):\n    def test_sees(self): self.skipTest("no camera")\n',
-    "gtest": "import test_gtest\ndef test_sees(): test_gtest.test_gtest('./gtest', 'Eye.Sees')\n",
+    "gtest": "import test_gtest\ndef test_sees(): test_gtest.Results('./gtest', ['Eye.Sees']).judge('Eye.Sees')\n",
 }
 GTEST = """#!/bin/sh
 echo "[ RUN      ] Eye.Sees
