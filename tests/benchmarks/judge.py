@@ -23,7 +23,7 @@ def work(bag):
     with AnyReader([Path(bag)]) as reader:
         return sum(1 for _ in reader.messages())
 """
-JUDGE = """
+JUDGED = """
 from safety_control_cloud.judge.bag import Job, judge_bag
 def work(bag):
     return judge_bag(Job(bag, ({"stamp_tolerance": 0.0},))).rows[0].clouds
@@ -63,22 +63,26 @@ def measure(plan: Plan, done: Callable[[], None]) -> Table:
 
 def run(case: Case) -> Dict[str, float]:
     side, length = case
-    program = MEASURED.format(work=READ if side == "read" else JUDGE)
+    program = MEASURED.format(work=READ if side == "read" else JUDGED)
     done = subprocess.run([sys.executable, "-c", program, str(bag_of(length))], capture_output=True, text=True, check=True)
     return json.loads(done.stdout)
 
 
 @lru_cache(maxsize=None)
 def bag_of(length: int) -> Path:
+    return write_bag(Path(FOLDER.name) / f"{length}.bag", length)
+
+
+def write_bag(path: Path, length: int, camera: str = "/camera") -> Path:
     """A wall that comes nearer over a floor, 32 bytes a point, 30 % without return."""
     from rosbags.rosbag1 import Writer
     from rosbags.typesys import Stores, get_typestore
 
-    store, path = get_typestore(Stores.ROS1_NOETIC), Path(FOLDER.name) / f"{length}.bag"
+    store = get_typestore(Stores.ROS1_NOETIC)
     types = store.types
     fields = [types["sensor_msgs/msg/PointField"](name, 4 * place, 7, 1) for place, name in enumerate("xyz")]
     with Writer(path) as writer:
-        connection = writer.add_connection(TOPIC, CLOUD, typestore=store)
+        connection = writer.add_connection(TOPIC, CLOUD, typestore=store, callerid=camera)
         for number in range(length):
             time = 10**18 + number * 50_000_000
             stamp = types["builtin_interfaces/msg/Time"](*divmod(time, 10**9))

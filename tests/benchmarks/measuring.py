@@ -12,6 +12,7 @@ import instructions
 import judge
 import kernel
 import nodes
+import workers
 from repetitions import Plan
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
@@ -19,7 +20,7 @@ from rich.table import Table
 
 from safety_control_cloud.ros_session import roscore
 
-PARTS = {"kernel": kernel, "nodes": nodes, "depth": depth, "cameras": cameras, "judge": judge}
+PARTS = {"kernel": kernel, "nodes": nodes, "depth": depth, "cameras": cameras, "judge": judge, "workers": workers}
 Figures = Dict[str, Dict[str, float]]
 MEANINGS = {
     "kernel_vs_read": "a look / only reading the bytes, a fresh cloud of VGA or more",
@@ -40,10 +41,20 @@ MEANINGS = {
     "cameras_cpu_growth": "CPU a cloud with 2 and 4 cameras and nodes / with one",
     "judge_vs_read": "CPU a cloud of a bag, judged / only read by rosbags",
     "judge_memory_growth": "memory of the judge, a bag twice as long / one",
+    "judge_two_workers": "clouds judged a second, by two worker processes / by one; more is better",
+    "judge_two_apart": "the same of processes that share nothing: all that this machine gives",
+    "judge_dispatch_cpu": "CPU of the process that shares the bags out / of its two workers",
 }
+
+
 def plan_of(given: Namespace) -> Plan:
     repetitions, clouds = (2, 20) if given.quick else (3, 50)
     return Plan(given.quick, given.repetitions or repetitions, given.clouds or clouds)
+
+
+def parts_of(given: Namespace) -> Sequence[str]:
+    only = given.only or list(PARTS)
+    return [name for name in PARTS if name in only or name == "workers" and "judge" in only]
 
 
 def measure(parts: Sequence[str], plan: Plan) -> Dict[str, Any]:
@@ -75,7 +86,7 @@ def bench(given: Namespace) -> None:
     if given.store_instructions:
         instructions.store()
         return
-    tables = measure(given.only or tuple(PARTS), plan_of(given))
+    tables = measure(parts_of(given), plan_of(given))
     figures = {name: figure for part, table in tables.items() for name, figure in PARTS[part].figures(table).items()}
     counts = instructions.count() if "kernel" in tables and not given.quick else {}
     print_tables(tables, figures, counts)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-import mmap
 from functools import lru_cache
 from pathlib import Path
 from typing import Iterator, Sequence, Tuple
@@ -14,7 +13,7 @@ import xxhash
 import safety_control_cloud
 from safety_control_cloud import core
 
-WINDOW = 1 << 26  # [byte] of a file that are mapped at once
+BLOCK = 1 << 18  # [byte] of a file at once: they are hashed while they lie in the cache
 LENGTH = 16  # hexadecimal digits that are shown of a hash
 JUDGES = (  # the modules that a verdict depends on, besides the core
     "judge/bag.py", "judge/drive.py", "judge/places.py", "judge/rows.py", "replay/bags.py", "replay/compressed.py",
@@ -81,19 +80,8 @@ def _content_of(file: Path) -> str:
     tag = _etag(file)
     if tag:
         return tag
-    whole = xxhash.xxh3_128()
+    whole, block = xxhash.xxh3_128(), bytearray(BLOCK)
     with file.open("rb") as stream:
-        if isinstance(file, _local()):
-            for mapped in _windows(stream, file.stat().st_size):
-                whole.update(mapped)
-        else:
-            for block in iter(lambda: stream.read(WINDOW), b""):
-                whole.update(block)
+        while count := stream.readinto(block):
+            whole.update(memoryview(block)[:count])
     return whole.hexdigest()
-
-
-def _windows(stream, size: int) -> Iterator[mmap.mmap]:
-    """Mapped, not read: a copy of the bytes would cost more than their hash."""
-    for start in range(0, size, WINDOW):
-        with mmap.mmap(stream.fileno(), min(WINDOW, size - start), access=mmap.ACCESS_READ, offset=start) as mapped:
-            yield mapped
