@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 from pathlib import Path
+from typing import Sequence
 
 import numpy as np
 import pytest
@@ -12,8 +13,8 @@ from safety_control_cloud.replay.recording import recording
 SECOND = 10**9
 
 
-def read(*bags: Path, topic: str = None) -> list:
-    with recording(bags, topic) as recorded:
+def read(*bags: Path, topics: Sequence[str] = ()) -> list:
+    with recording(bags, topics) as recorded:
         clouds = list(recorded.clouds)
         assert len(clouds) == recorded.count
         return clouds
@@ -44,21 +45,33 @@ def test_several_bags_are_one_recording_in_the_order_of_time(tmp_path):
 def test_a_topic_is_found_with_or_without_its_slash(tmp_path):
     bag = write_ros1(tmp_path / "two.bag", {"/left": [wall_at(1.0, 1)], "/right": [wall_at(1.0, 2)]})
 
-    assert [cloud.stamp for cloud in read(bag, topic="right")] == [2]
+    assert [cloud.stamp for cloud in read(bag, topics=["right"])] == [2]
 
 
-def test_several_topics_without_a_choice_are_listed(tmp_path):
-    bag = write_ros1(tmp_path / "two.bag", {"/left": [wall_at(1.0, 1)], "/right": [wall_at(1.0, 2), wall_at(1.0, 3)]})
+def test_several_topics_without_a_choice_are_all_read_and_each_cloud_names_its_own(tmp_path):
+    bag = write_ros1(tmp_path / "two.bag", {"/left": [wall_at(1.0, 1), wall_at(1.0, 4)], "/right": [wall_at(1.0, 2), wall_at(1.0, 3)]})
 
-    with pytest.raises(BagError, match=r"--topic: /left \(1\), /right \(2\)$"):
-        read(bag)
+    assert [(cloud.topic, cloud.stamp) for cloud in read(bag)] == [("/left", 1), ("/right", 2), ("/right", 3), ("/left", 4)]
+
+
+def test_a_topic_that_is_named_twice_is_read_once(tmp_path):
+    bag = write_ros1(tmp_path / "drive.bag", {TOPIC: [wall_at(1.0, 1)]})
+
+    assert [cloud.stamp for cloud in read(bag, topics=[TOPIC, TOPIC.strip("/")])] == [1]
+
+
+def test_the_nodes_own_topic_is_taken_alone_unless_others_are_named(tmp_path):
+    bag = write_ros1(tmp_path / "two.bag", {TOPIC: [wall_at(1.0, 1)], "/left": [wall_at(1.0, 2)]})
+
+    assert [cloud.topic for cloud in read(bag)] == [TOPIC]
+    assert [cloud.topic for cloud in read(bag, topics=["/left", TOPIC])] == [TOPIC, "/left"]
 
 
 def test_a_wrong_topic_is_answered_with_those_that_are_there(tmp_path):
     bag = write_ros1(tmp_path / "drive.bag", {TOPIC: [wall_at(1.0, 1)]})
 
     with pytest.raises(BagError, match=rf"/nowhere in .*drive.bag; there is: {TOPIC} \(1\)$"):
-        read(bag, topic="/nowhere")
+        read(bag, topics=["/nowhere"])
 
 
 def test_a_bag_without_clouds_is_answered_with_what_it_holds(tmp_path):

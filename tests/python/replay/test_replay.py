@@ -11,12 +11,16 @@ import time
 from pathlib import Path
 from typing import Any, Dict, List, Sequence
 
+import numpy as np
 import pytest
+from drives import camera, depth, placed, wall, write_drive
+from judge_rows import rows_of
 from recordings import TOPIC, wall_at, write_ros1, write_ros2
 
 SECOND = 10**9
 SHARED = Path(__file__).resolve().parents[4] / "shared"
 DRIVE = [wall_at(1.5, 10 * SECOND), wall_at(0.75, 11 * SECOND), wall_at(0.4, 12 * SECOND)]
+SAID = ("zone", "cause", "reason", "nearest", "inside", "returns", "total", "speed")
 COMMAND = [sys.executable, "-m", "safety_control_cloud.replay"]
 
 
@@ -120,10 +124,9 @@ def test_a_parameter_that_the_node_refuses_ends_the_replay_with_the_nodes_own_wo
 
 
 @pytest.mark.parametrize("arguments", [
-    ["missing.bag"], ["cut.bag"], ["drive.bag", "--topic", "/nowhere"], ["two.bag"], ["missing.bag", "drive.bag"]])
+    ["missing.bag"], ["cut.bag"], ["drive.bag", "--topic", "/nowhere"], ["missing.bag", "drive.bag"]])
 def test_what_cannot_be_replayed_gives_one_line_and_exit_code_2(tmp_path, arguments):
     whole = write_ros1(tmp_path / "drive.bag", {TOPIC: DRIVE})
-    write_ros1(tmp_path / "two.bag", {"/left": DRIVE, "/right": DRIVE})
     (tmp_path / "cut.bag").write_bytes(whole.read_bytes()[:-100])
 
     result = replay(*(tmp_path / word if word.endswith(".bag") else word for word in arguments))
@@ -162,6 +165,24 @@ def test_a_node_that_dies_is_named_and_ends_the_replay(tmp_path):
 
     assert running.wait(60) == 1
     assert "the node ended with exit code -9" in running.stderr.read()
+
+
+def test_several_sensors_are_each_answered_by_a_node_of_its_own(tmp_path):
+    records = [placed(-1.0, (0.1, 0.0, 0.3), (-0.5, 0.5, -0.5, 0.5), static=True)]
+    for number in range(6):
+        picture = np.full((48, 64), 1600 - 200 * number, np.uint16)
+        records += [depth(0.1 * number, picture), camera(0.1 * number, 64, 48, 50.0), wall(0.1 * number + 0.05, 1.4 - 0.2 * number, "/left")]
+    bag, topics = write_drive(tmp_path / "two.bag", records), ["/camera/depth/image_rect", "/left"]
+    named = ("--topic", topics[1], "--topic", topics[0], "--param", "target_frame=base")
+
+    both = answers(tmp_path, bag, *named, "--plot", tmp_path / "both.png")
+
+    assert [answer["topic"] for answer in both] == topics * 6
+    alone = {"target_frame": "base", "source_timeout": 10.0, "stamp_tolerance": 0.0}
+    for topic in topics:
+        core = rows_of(bag, alone, [topic])
+        assert of([answer for answer in both if answer["topic"] == topic], *SAID) == of(core, *SAID) and len(core) == 6
+    assert of(both[-1:], "zone", "cause") == [("Danger", "SEEN")] and both[1]["zone"] == "Safe"
 
 
 def test_the_recorded_kinect_frames_are_in_the_warning_zone(tmp_path):

@@ -10,6 +10,7 @@ from safety_control_cloud import core
 from safety_control_cloud.replay.lockstep import Answer
 from safety_control_cloud.replay.plot import write_plot
 from safety_control_cloud.replay.report import summary_of, table_of, write_json
+from safety_control_cloud.replay.silence import silences
 
 SEEN = Answer(1_600_000_000_000_000_001, "Warning", "SEEN", "nearest obstacle at 0.754 m", 0.754, (0.1, 0.2, 0.754),
               7, 80, 100, 0.1)
@@ -62,7 +63,7 @@ def test_json_says_null_where_there_is_no_distance_and_the_cause_says_why(tmp_pa
     assert seen == {
         "stamp": 1_600_000_000.0, "zone": "Warning", "cause": "SEEN", "reason": "nearest obstacle at 0.754 m",
         "nearest": 0.754, "nearest_point": [0.1, 0.2, 0.754], "inside": 7, "returns": 80, "total": 100, "speed": 0.1,
-        "time": 0.0}
+        "time": 0.0, "topic": ""}
     assert (free["nearest"], free["nearest_point"], free["cause"]) == (None, None, "SEEN")
     assert (blind["nearest"], blind["nearest_point"], blind["cause"]) == (None, None, "BLIND")
 
@@ -73,3 +74,32 @@ def test_every_replay_can_be_drawn(tmp_path, answers):
 
     picture = imread(tmp_path / "plot.png")
     assert picture.shape[:2] == (840, 1500) and picture.std() > 0.05
+
+
+def test_of_several_topics_each_row_names_its_own_and_each_is_summed_up():
+    left, right = replace(SEEN, topic="/left"), replace(FREE, topic="/right")
+
+    lines = printed(left, right, left)
+
+    rows = [" ".join(line.split()) for line in lines if line[:1].isdigit()]
+    assert [row.split()[1] for row in rows] == ["/left", "/right", "/left"]
+    assert summary_of([left, right, left]).splitlines() == [
+        "/left: 2 clouds: Safe 0, Warning 2, Danger 0", "/right: 1 cloud: Safe 1, Warning 0, Danger 0"]
+
+
+def test_silences_are_those_of_each_topic(tmp_path):
+    often = [replace(SEEN, topic="/left", time=number * 10**9) for number in range(4)]
+    rare = [replace(SEEN, topic="/right", time=number * 10**9) for number in (0, 3)]
+
+    found = silences([*often, *rare], 4 * 10**9, 1.5)
+
+    assert [(one.topic, one.after, one.start, one.end) for one in found] == [("/right", 0, 1_500_000_000, 3 * 10**9)]
+
+
+@pytest.mark.parametrize("right", [[SEEN], [SEEN, FREE, BLIND], [SEEN] * 5])
+def test_topics_are_drawn_beside_each_other(tmp_path, right):
+    answers = [*(replace(one, topic="/left") for one in (SEEN, FREE, BLIND)), *(replace(one, topic="/right") for one in right)]
+
+    write_plot(answers, tmp_path / "plot.png", "drive.bag", core.Settings(), silences(answers, 10**12, 0.5))
+
+    assert imread(tmp_path / "plot.png").shape[:2] == (840, 2100)

@@ -59,13 +59,16 @@ def test_a_replay_of_depth_images_holds_pictures_decisions_and_plots(driven):
     assert all(word in said for word in ("Safe", "Warning", "Danger", "nearest obstacle at"))
 
 
-def test_a_replay_of_clouds_that_are_not_organised_holds_points_and_the_silence_between(tmp_path):
-    bag = write_drive(tmp_path / "clouds.bag", [wall(0.1 * n + (2.0 if n > 5 else 0.0), 1.2) for n in range(12)])
+def test_a_replay_of_several_sensors_holds_each_for_itself_with_its_points_and_the_silence_between(tmp_path):
+    often = [wall(0.1 * n + (2.0 if n > 5 else 0.0), 1.2, "/front") for n in range(12)]
+    bag = write_drive(tmp_path / "clouds.bag", [*often, *(wall(0.2 * n, 0.4, "/rear/points") for n in range(14))])
 
     run(sys.executable, "-m", "safety_control_cloud.replay", bag, "--rrd", tmp_path / "clouds.rrd")
 
-    assert entities(tmp_path / "clouds.rrd") >= ALWAYS | {"/world/points"}
-    assert "SILENT" in texts(tmp_path / "clouds.rrd")
+    shown = entities(tmp_path / "clouds.rrd")
+    for sensor in ("/front", "/rear/points"):
+        assert shown >= {sensor + entity for entity in ALWAYS | {"/world/points"}}
+    assert not shown & ALWAYS and "SILENT" in texts(tmp_path / "clouds.rrd")
 
 
 def test_a_simulated_drive_is_recorded_with_the_speed_over_the_floor(tmp_path):

@@ -61,7 +61,7 @@ class Viewer:
         return Moment(
             now, state.zone_text, state.cause_text, state.reason, state.nearest if math.isfinite(state.nearest) else None,
             point if all(map(math.isfinite, point)) else None, state.speed, self._driven, state.header.stamp.to_nsec(),
-            picture, spots_in(rospy.get_param(f"{self._name}/lost/things", [])))
+            picture, spots_in(rospy.get_param(f"{self._name}_lost/things", [])))
 
     def _on_state(self, state: SafetyState) -> None:
         with self._lock:

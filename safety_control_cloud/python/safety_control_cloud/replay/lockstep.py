@@ -7,25 +7,20 @@ import queue
 import re
 import struct
 import time
-from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Type
+from typing import Dict, List, Mapping, Optional, Sequence, Tuple, Type
 
 import rospy
 from genpy import Message
 from sensor_msgs.msg import CameraInfo, Image, PointCloud2
-from tf2_msgs.msg import TFMessage
 
 from safety_control_cloud import core
 from safety_control_cloud.msg import SafetyState
 from safety_control_cloud.processes import Process
 from safety_control_cloud.replay.recording import RecordedCloud
-from safety_control_cloud.replay.topics import OWN, Source, rooted
-from safety_control_cloud.ros_session import node, roscore
 
 ANSWER_TIMEOUT = 30.0  # [s]
-TRANSFORMS_TAKE = 0.05  # [s] to the node
-REMEMBERED = "/safety_control_cloud/lost/things"
+REMEMBERED = "_lost/things"  # after the node's name
 REFUSAL = "cannot start with these parameters"  # as the node says it
 
 
@@ -52,6 +47,7 @@ class Answer:
     total: int
     speed: float  # [m/s]
     time: int = 0  # [ns] of the bag
+    topic: str = ""  # as recorded
 
 
 def raw(kind: Type[Message]) -> Type[rospy.AnyMsg]:
@@ -77,38 +73,16 @@ def parameters_for_replay(chosen: Mapping[str, str]) -> Dict[str, str]:
     return {**{name: value for name, value in timeless.items() if name in known}, **chosen}
 
 
-@contextmanager
-def safety_node(parameters: Mapping[str, str], source: Optional[Source] = None) -> Iterator["Lockstep"]:
-    """Starts a master and the node for such a source, and ends both. Once per process, as rospy.init_node().
-
-    Raises BadParameters, or processes.ProcessError if either cannot be started.
-    """
-    wanted = parameters_for_replay(parameters)
-    topics = [OWN[0]]
-    if source and source.camera:
-        wanted["input"] = source.input
-        topics = [rooted(source.name), rooted(source.camera.name)]  # the image's name tells whether it is rectified
-    arguments = [f"_{name}:={value}" for name, value in wanted.items()]
-    arguments += [f"{OWN[1]}:={topics[0]}"] if len(topics) > 1 else []
-    with roscore(), node("safety_control_node", *arguments) as process:
-        rospy.init_node("safety_control_replay", anonymous=True, disable_signals=True, disable_rosout=True)
-        try:
-            yield Lockstep(process, topics)
-        finally:
-            rospy.signal_shutdown("replayed")
-
-
 class Lockstep:
     """Hands clouds to the node, each after the answer to the one before."""
 
-    def __init__(self, process: Process, topics: Sequence[str]) -> None:
-        """`topics`: of the clouds; or of the depth images, and of their cameras."""
-        self._process = process
+    def __init__(self, process: Process, name: str, topics: Sequence[str]) -> None:
+        """`name` of the node; `topics`: of the clouds; or of the depth images, and of their cameras."""
+        self._process, self._name = process, name
         self._states: "queue.Queue[SafetyState]" = queue.Queue()
-        rospy.Subscriber("safety_control_cloud/state", SafetyState, self._states.put, tcp_nodelay=True)
+        rospy.Subscriber(f"{name}/state", SafetyState, self._states.put, tcp_nodelay=True)
         kinds = (PointCloud2,) if len(topics) == 1 else (Image, CameraInfo)
         self._parts = [rospy.Publisher(topic, raw(kind), queue_size=1) for topic, kind in zip(topics, kinds)]
-        self._transforms: Dict[str, rospy.Publisher] = {}
         self._recorded = 0  # [ns] stamp of the last cloud; before the first, the node's states have an empty header
         self._sent = 0  # [ns] the stamp that it was given
         self._state_of(self._sent, "its start")
@@ -117,7 +91,6 @@ class Lockstep:
 
     def answer_to(self, cloud: RecordedCloud) -> Answer:
         """Raises NoAnswer."""
-        self._move(cloud)
         # The node repeats its last state when it waits long for a cloud. So that a repetition is not taken for the
         # answer, no two clouds in a row have the same stamp.
         self._sent = distinct(cloud.stamp, self._recorded, self._sent)
@@ -128,21 +101,7 @@ class Lockstep:
 
     def remembered(self) -> List[str]:
         """What the node last wrote down of what is near or lost; at most half a second old."""
-        return list(rospy.get_param(REMEMBERED, []))
-
-    def _move(self, cloud: RecordedCloud) -> None:
-        """Transforms have a way of their own to the node, and it does not tell when they are there."""
-        new = {topic for topic, _ in cloud.transforms} - set(self._transforms)
-        for topic in new:
-            self._transforms[topic] = rospy.Publisher(topic, raw(TFMessage), queue_size=1000)
-        for topic in new:
-            while not self._transforms[topic].get_num_connections():
-                self._check_alive("its transforms")
-                time.sleep(0.01)
-        for topic, message in cloud.transforms:
-            self._transforms[topic].publish(message)
-        if cloud.transforms:
-            time.sleep(TRANSFORMS_TAKE)
+        return list(rospy.get_param(self._name + REMEMBERED, []))
 
     def _state_of(self, stamp: int, asked: str) -> SafetyState:
         deadline = time.monotonic() + ANSWER_TIMEOUT
@@ -150,13 +109,14 @@ class Lockstep:
             try:
                 state = self._states.get(timeout=0.1)
             except queue.Empty:
-                self._check_alive(asked)
+                self.check_alive(asked)
                 continue
             if state.header.stamp.to_nsec() == stamp:
                 return state
         raise NoAnswer(f"the node gave no answer to {asked} within {ANSWER_TIMEOUT:g} s\n{self._said()}")
 
-    def _check_alive(self, asked: str) -> None:
+    def check_alive(self, asked: str) -> None:
+        """Raises NoAnswer or BadParameters if the node has ended."""
         if self._process.exit_code is None:
             return
         _, refusal, problems = self._said().partition(REFUSAL)
@@ -184,4 +144,4 @@ def _answer(cloud: RecordedCloud, state: SafetyState) -> Answer:
     return Answer(
         cloud.stamp, state.zone_text, state.cause_text, state.reason, state.nearest if math.isfinite(state.nearest) else None,
         point if all(map(math.isfinite, point)) else None, state.inside, state.returns, state.total, state.speed,
-        cloud.time)
+        cloud.time, cloud.topic)

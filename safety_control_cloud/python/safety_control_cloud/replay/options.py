@@ -18,7 +18,7 @@ class Request:
     """What to replay, and where to write it besides the table on stdout."""
 
     bags: Sequence[Path]
-    topic: Optional[str] = None  # None: the node's own, or the only one
+    topics: Sequence[str] = ()  # none: the node's own, or else all
     parameters: Mapping[str, str] = field(default_factory=dict)  # private ones of the node
     json: Optional[Path] = None
     plot: Optional[Path] = None
@@ -31,13 +31,14 @@ class Request:
 def request_of(arguments: Optional[Sequence[str]] = None) -> Request:
     parser = argparse.ArgumentParser(prog="replay", description=PURPOSE, epilog="Exit code 2: nothing to replay.")
     parser.add_argument("bags", metavar="BAG", nargs="+", type=Path, help="a ROS 1 bag, or a ROS 2 bag (a folder, *.mcap, *.db3)")
-    parser.add_argument("--topic", metavar="T", help="of clouds, or of depth images that have a CameraInfo beside them; "
-                        "needed where there are several and none is the node's own")
+    parser.add_argument("--topic", metavar="T", action="append", default=[],
+                        help="of clouds, or of depth images that have a CameraInfo beside them; may be repeated, and each "
+                        "is then a robot of its own [the node's own, else all]")
     parser.add_argument("--method", choices=("one_pass", "pcl"), help="how the node searches the corridor")
     parser.add_argument("--param", metavar="NAME=VALUE", type=_parameter, action="append", default=[],
                         help="a private parameter of the node, e.g. --param danger_distance=0.6; may be repeated")
     parser.add_argument("--settings", metavar="F.yaml", type=Path, help="parameters, as in config/default.yaml")
-    parser.add_argument("--around", metavar="N", type=int, help="show only the clouds next to this one, from 0")
+    parser.add_argument("--around", metavar="N", type=int, help="show only the clouds next to this one of each topic, from 0")
     parser.add_argument("--json", metavar="F", type=view.writable, help="write the table as a list of objects")
     parser.add_argument("--plot", metavar="F.png", type=_picture, help="draw distance and speed over time")
     view.add_to(parser)
@@ -45,7 +46,7 @@ def request_of(arguments: Optional[Sequence[str]] = None) -> Request:
     parameters: Dict[str, str] = dict(given.param)
     if given.method:
         parameters["method"] = given.method
-    return Request(tuple(given.bags), given.topic, parameters, given.json, given.plot, given.around,
+    return Request(tuple(given.bags), tuple(given.topic), parameters, given.json, given.plot, given.around,
                    given.settings, given.rrd, given.view)
 
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Distance over time, with the zones as bands, and the speed below."""
+"""Distance over time, with the zones as bands, and the speed below; each topic beside the others."""
 from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Dict, List, Sequence, Tuple
+from typing import Dict, Iterable, List, Optional, Sequence, Tuple
 
 import matplotlib
 
@@ -14,7 +14,7 @@ from matplotlib.axes import Axes
 
 from safety_control_cloud import core
 from safety_control_cloud.replay.lockstep import Answer
-from safety_control_cloud.replay.silence import Silence
+from safety_control_cloud.replay.silence import Silence, by_topic
 from safety_control_cloud.zone_colours import DRAWN as COLOURS
 
 Silent = Dict[int, Tuple[float, float]]  # [s] from and to, by the number of the cloud before
@@ -30,23 +30,40 @@ def write_plot(
     answers: Sequence[Answer], path: Path, title: str, limits: core.Settings, silences: Sequence[Silence] = ()
 ) -> None:
     """A picture in the format of the path's ending; limits are those the node decided by."""
+    topics = by_topic(answers)
+    several = len(topics) > 1
+    since = _first_stamp(topics.values())
     with plt.rc_context(STYLE):
-        figure, (above, below) = plt.subplots(
-            2, 1, sharex=True, figsize=(10, 5.6), gridspec_kw={"height_ratios": (3, 1)}, constrained_layout=True)
-        times, label = _times(answers)
-        silent = _silent(answers, silences) if label.startswith("time") else {}
-        _draw_distance(above, times, answers, limits, silent)
-        _draw_speed(below, times, answers, limits, silent)
-        above.set_title(title, loc="left", fontsize=12, fontweight="bold", pad=12)
-        below.set_xlabel(label)
-        below.set_xlim(*_padded(times))
+        figure, axes = plt.subplots(
+            2, len(topics), sharex="col", figsize=(7 * len(topics) if several else 10, 5.6), squeeze=False,
+            gridspec_kw={"height_ratios": (3, 1)}, constrained_layout=True)
+        for (topic, its), above, below in zip(topics.items(), *axes):
+            _draw(above, below, its, limits, [one for one in silences if one.topic == topic], since)
+            above.set_title(topic if several else title, loc="left", fontsize=12, fontweight="bold", pad=12)
         figure.savefig(path, dpi=150)
         plt.close(figure)
 
 
-def _silent(answers: Sequence[Answer], silences: Sequence[Silence]) -> Dict[int, Tuple[float, float]]:
+def _draw(above: Axes, below: Axes, answers: Sequence[Answer], limits: core.Settings, silences: Sequence[Silence],
+          since: Optional[int]) -> None:
+    """Of one topic."""
+    times, label = _times(answers, since)
+    silent = _silent(answers, silences, since) if since is not None else {}
+    _draw_distance(above, times, answers, limits, silent)
+    _draw_speed(below, times, answers, limits, silent)
+    below.set_xlabel(label)
+    below.set_xlim(*_padded(times))
+
+
+def _first_stamp(topics: Iterable[Sequence[Answer]]) -> Optional[int]:
+    """[ns] of all topics; None where the stamps of one do not advance."""
+    stamps = [[answer.stamp for answer in answers] for answers in topics]
+    advance = all(earlier < later for its in stamps for earlier, later in zip(its, its[1:]))
+    return min(its[0] for its in stamps) if advance else None
+
+
+def _silent(answers: Sequence[Answer], silences: Sequence[Silence], first: int) -> Dict[int, Tuple[float, float]]:
     """Start and end on the axis of the stamps, by the cloud before."""
-    first = answers[0].stamp
     spans = {}
     for silence in silences:
         before = answers[silence.after]
@@ -118,12 +135,11 @@ def _draw_speed(
     axes.set_ylabel("speed [m/s]")
 
 
-def _times(answers: Sequence[Answer]) -> Tuple[List[float], str]:
-    """Seconds since the first stamp, or the number of the cloud where stamps do not advance."""
-    stamps = [answer.stamp for answer in answers]
-    if all(earlier < later for earlier, later in zip(stamps, stamps[1:])):
-        return [(stamp - stamps[0]) / 1e9 for stamp in stamps], f"time [s] since {stamps[0] / 1e9:.3f}"
-    return [float(number) for number in range(len(stamps))], "cloud (the stamps do not advance)"
+def _times(answers: Sequence[Answer], since: Optional[int]) -> Tuple[List[float], str]:
+    """Seconds since that stamp, or the number of the cloud where stamps do not advance."""
+    if since is None:
+        return [float(number) for number in range(len(answers))], "cloud (the stamps do not advance)"
+    return [(answer.stamp - since) / 1e9 for answer in answers], f"time [s] since {since / 1e9:.3f}"
 
 
 def _padded(times: List[float]) -> Tuple[float, float]:

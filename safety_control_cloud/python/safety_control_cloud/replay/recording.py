@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What was recorded for one node, as the bytes that ROS 1 publishers would send it."""
+"""What was recorded for one node or more, as the bytes that ROS 1 publishers would send them."""
 from __future__ import annotations
 
 import struct
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Iterator, List, Optional, Sequence, Tuple
+from typing import Dict, Iterator, List, Optional, Sequence, Tuple
 
 from safety_control_cloud.replay.bags import Bags, opened
 from safety_control_cloud.replay.eyes import Sighting, eye_for
-from safety_control_cloud.replay.topics import COMPRESSED, Source, only, transforms_in
+from safety_control_cloud.replay.topics import COMPRESSED, INPUTS, Source, chosen, transforms_in
 from safety_control_cloud.replay.wire import Image
 
 Transforms = Tuple[Tuple[str, bytes], ...]  # topic and message
@@ -25,6 +25,7 @@ class RecordedCloud:
     parts: Tuple[bytes, ...]  # the messages, serialised for ROS 1
     transforms: Transforms = ()  # recorded since the cloud before
     sighting: Optional[Sighting] = None
+    topic: str = ""  # as recorded
 
     @property
     def message(self) -> bytes:
@@ -33,43 +34,50 @@ class RecordedCloud:
 
 @dataclass(frozen=True)
 class Recording:
-    """The clouds of one topic, in the order in which they were recorded."""
+    """The clouds of one topic or more, in the order in which they were recorded."""
 
-    source: Source
+    sources: Sequence[Source]
     end: int  # [ns] of the bag's last message
     clouds: Iterator[RecordedCloud]  # raises BagError where the bag is damaged
 
     @property
-    def topic(self) -> str:
-        return self.source.topic.name
+    def topics(self) -> List[str]:
+        return [source.topic.name for source in self.sources]
 
     @property
     def count(self) -> int:
         """Of depth images, those without a CameraInfo too."""
-        return self.source.topic.count
+        return sum(source.topic.count for source in self.sources)
 
 
 @contextmanager
-def recording(bags: Sequence[Path], topic: Optional[str] = None, transforms: bool = False) -> Iterator[Recording]:
-    """Without a topic, the node's own is taken, or else the only one. Raises BagError."""
+def recording(
+    bags: Sequence[Path], topics: Sequence[str] = (), wanted: str = INPUTS[0], transforms: bool = False
+) -> Iterator[Recording]:
+    """Without topics, the node's own is taken, or else all of the `wanted` input, or else all. Raises BagError."""
     with opened(bags) as there:
-        source = only(there, topic)
-        yield Recording(source, there.end, _clouds(there, source, transforms))
+        sources = list({source.name: source for source in chosen(there, topics, wanted)}.values())
+        yield Recording(sources, there.end, _clouds(there, sources, transforms))
 
 
-def _clouds(bags: Bags, source: Source, with_transforms: bool) -> Iterator[RecordedCloud]:
-    eye = eye_for(bags, source)
+def _clouds(bags: Bags, sources: Sequence[Source], with_transforms: bool) -> Iterator[RecordedCloud]:
+    eyes = {source.name: eye_for(bags, source) for source in sources}
     moving = transforms_in(bags) if with_transforms else []
     since: List[Tuple[str, bytes]] = []
-    names = {topic.name for topic in source.topics}
-    for message in bags.messages([*source.topics, *moving]):
-        if message.topic not in names:
+    looking: Dict[str, List[Source]] = {}
+    for source in sources:
+        for topic in source.topics:
+            looking.setdefault(topic.name, []).append(source)
+    seen = [topic for source in sources for topic in source.topics]
+    for message in bags.messages([*seen, *moving]):
+        if message.topic not in looking:
             since.append((message.topic, bags.as_ros1(message)))
-            continue
-        sighting = eye.sighting_of(message)
-        if sighting:
-            yield RecordedCloud(message.time, sighting.header.stamp, _parts(bags, sighting), tuple(since), sighting)
-            since.clear()
+        for source in looking.get(message.topic, ()):
+            sighting = eyes[source.name].sighting_of(message)
+            if sighting:
+                yield RecordedCloud(message.time, sighting.header.stamp, _parts(bags, sighting), tuple(since), sighting,
+                                    source.topic.name)
+                since.clear()
 
 
 def _parts(bags: Bags, sighting: Sighting) -> Tuple[bytes, ...]:

@@ -6,13 +6,15 @@ from pathlib import Path
 from typing import Dict, List, Mapping, Optional
 
 from safety_control_cloud import core
-from safety_control_cloud.replay.lockstep import Answer, safety_node
+from safety_control_cloud.replay.lockstep import Answer
+from safety_control_cloud.replay.nodes import safety_nodes
 from safety_control_cloud.replay.options import Request
 from safety_control_cloud.replay.parameters import parameters_in, settings_of
 from safety_control_cloud.replay.recording import Recording, recording
 from safety_control_cloud.replay.report import print_table, with_progress, write_json
 from safety_control_cloud.replay.show import shown_in
 from safety_control_cloud.replay.silence import silences
+from safety_control_cloud.replay.topics import INPUTS
 from safety_control_cloud.view.options import recorded_in
 
 
@@ -26,9 +28,11 @@ def replay(request: Request) -> List[Answer]:
 def _replay(request: Request, rrd: Optional[Path]) -> List[Answer]:
     parameters = _parameters(request)
     moving = bool(parameters.get("target_frame"))
-    with recording(request.bags, request.topic, moving) as recorded:
+    wanted = parameters.get("input", INPUTS[0])
+    wanted = wanted if wanted in INPUTS else INPUTS[0]  # the node itself refuses others
+    with recording(request.bags, request.topics, wanted, moving) as recorded:
         answers = answers_to(recorded, parameters, rrd)
-        title = f"{', '.join(bag.name for bag in request.bags)}  {recorded.topic}"
+        title = f"{', '.join(bag.name for bag in request.bags)}  {', '.join(recorded.topics)}"
         end = recorded.end
     settings = settings_of(_known(parameters))
     silent = silences(answers, end, settings.source_timeout)
@@ -44,14 +48,14 @@ def _replay(request: Request, rrd: Optional[Path]) -> List[Answer]:
 
 def answers_to(recorded: Recording, parameters: Mapping[str, str], rrd: Optional[Path] = None) -> List[Answer]:
     clouds = with_progress(recorded.clouds, recorded.count)
-    with safety_node(parameters, recorded.source) as node:
+    with safety_nodes(parameters, recorded.sources) as nodes:
         if not rrd:
-            return [node.answer_to(cloud) for cloud in clouds]
-        with shown_in(rrd, settings_of(_known(parameters))) as show:
+            return [nodes.answer_to(cloud) for cloud in clouds]
+        with shown_in(rrd, settings_of(_known(parameters)), recorded.topics) as show:
             answers = []
             for cloud in clouds:
-                answers.append(node.answer_to(cloud))
-                show(cloud, answers[-1], node.remembered())
+                answers.append(nodes.answer_to(cloud))
+                show(cloud, answers[-1], nodes.remembered(cloud.topic))
             return answers
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any, Dict, Iterable, Iterator, Optional, Sequence, TypeVar
+from typing import Any, Dict, Iterable, Iterator, List, Optional, Sequence, TypeVar
 
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
@@ -14,7 +14,7 @@ from rich.table import Table
 from rich.text import Text
 
 from safety_control_cloud.replay.lockstep import Answer
-from safety_control_cloud.replay.silence import Silence
+from safety_control_cloud.replay.silence import Silence, by_topic
 from safety_control_cloud.zone_colours import PRINTED as COLOURS
 
 NEXT_TO = 5  # clouds on either side of the one that is asked for
@@ -35,7 +35,7 @@ def with_progress(items: Iterable[Item], count: int) -> Iterator[Item]:
 def print_table(
     answers: Sequence[Answer], title: str, silences: Sequence[Silence] = (), around: Optional[int] = None
 ) -> None:
-    """Of the clouds next to number `around`, if there is one."""
+    """Of the clouds next to number `around` of each topic, if there is one."""
     console = Console()
     if not console.is_terminal:
         console = Console(width=WIDE)
@@ -45,26 +45,45 @@ def print_table(
 def table_of(
     answers: Sequence[Answer], title: str, silences: Sequence[Silence] = (), around: Optional[int] = None
 ) -> Table:
-    """Fits into 80 columns, where the words of a cause are folded."""
+    """Fits into 80 columns, where the words of a cause are folded. Of several topics, each row names its own."""
+    several = len(by_topic(answers)) > 1
     table = Table(
         box=SIMPLE_HEAD, show_edge=False, pad_edge=False, padding=(0, 1, 0, 0), title=Text(title),
         title_justify="left", caption=summary_of(answers, silences), caption_justify="left")
     table.add_column(Text("stamp\n[s]"), justify="right", no_wrap=True)
+    if several:
+        table.add_column("topic", overflow="fold")
     table.add_column("zone", no_wrap=True)
     table.add_column("cause", min_width=LONGEST_CAUSE)
     for figure in ("nearest\n[m]", "inside/returns/total\n[points]", "speed\n[m/s]"):
         table.add_column(Text(figure), justify="right", no_wrap=True)
-    silent = {silence.after: silence for silence in silences}
-    for number, answer in enumerate(answers):
+    silent = {(silence.topic, silence.after): silence for silence in silences}
+    seen: Dict[str, int] = {}
+    for answer in answers:
+        number = seen[answer.topic] = seen.get(answer.topic, -1) + 1
         if around is not None and abs(number - around) > NEXT_TO:
             continue
-        table.add_row(*_cells(answer), style="bold" if number == around else "")
-        if number in silent:
-            table.add_row(*_silent_cells(silent[number]))
+        name = [Text(answer.topic)] if several else []
+        table.add_row(*_with(name, _cells(answer)), style="bold" if number == around else "")
+        if (answer.topic, number) in silent:
+            table.add_row(*_with(name, _silent_cells(silent[answer.topic, number])))
     return table
 
 
+def _with(name: List[Text], cells: Sequence[Text]) -> Sequence[Text]:
+    return (cells[0], *name, *cells[1:])
+
+
 def summary_of(answers: Sequence[Answer], silences: Sequence[Silence] = ()) -> str:
+    """A line for each topic."""
+    topics = by_topic(answers)
+    if len(topics) < 2:
+        return _summary(answers, silences)
+    return "\n".join(f"{topic}: {_summary(its, [silence for silence in silences if silence.topic == topic])}"
+                     for topic, its in topics.items())
+
+
+def _summary(answers: Sequence[Answer], silences: Sequence[Silence]) -> str:
     zones = [answer.zone for answer in answers]
     counted = ", ".join(f"{zone} {zones.count(zone)}" for zone in COLOURS)
     silent = sum(silence.end - silence.start for silence in silences) / 1e9

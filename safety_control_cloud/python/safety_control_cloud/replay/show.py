@@ -5,7 +5,7 @@ from __future__ import annotations
 from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
-from typing import Callable, Iterator, Optional, Sequence
+from typing import Callable, Dict, Iterator, Optional, Sequence
 
 from safety_control_cloud import core
 from safety_control_cloud.replay.lockstep import Answer
@@ -21,21 +21,23 @@ Show = Callable[[RecordedCloud, Answer, Sequence[str]], None]
 
 
 @contextmanager
-def shown_in(file: Path, settings: core.Settings) -> Iterator[Show]:
-    """What to call with each cloud, its answer and what the node remembers then. Raises OSError."""
-    from safety_control_cloud.view.sink import into_file
+def shown_in(file: Path, settings: core.Settings, topics: Sequence[str]) -> Iterator[Show]:
+    """What to call with each cloud, its answer and what its node remembers then. Raises OSError."""
+    from safety_control_cloud.view.sink import sensors_into_file
 
-    last: list[Moment] = []
-    answered: list[Answer] = []
+    last: Dict[str, Moment] = {}
+    answered: Dict[str, Answer] = {}
 
     def show(cloud: RecordedCloud, answer: Answer, remembered: Sequence[str]) -> None:
-        for silence in silences(answered, answer.time, settings.source_timeout) if answered else ():
+        topic = answer.topic
+        sink = sinks[topic if len(topics) > 1 else ""]
+        for silence in silences([answered[topic]], answer.time, settings.source_timeout) if topic in answered else ():
             sink.show(silent(silence))
-        moment = moment_of(cloud, answer, remembered, last[-1].picture if last else None)
+        moment = moment_of(cloud, answer, remembered, last[topic].picture if topic in last else None)
         sink.show(moment)
-        last[:], answered[:] = [moment], [answer]
+        last[topic], answered[topic] = moment, answer
 
-    with into_file(file, settings) as sink:
+    with sensors_into_file(file, settings, topics if len(topics) > 1 else [""]) as sinks:
         yield show
 
 

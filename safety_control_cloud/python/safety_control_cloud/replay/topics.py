@@ -78,15 +78,6 @@ def rooted(name: str) -> str:
     return "/" + name.strip("/")
 
 
-def only(bags: Bags, name: Optional[str], wanted: str = "cloud") -> Source:
-    """The one that is chosen. Raises BagError if there are several, or none."""
-    found = chosen(bags, [name] if name else [], wanted)
-    if len(found) > 1:
-        what = "clouds" if found[0].input == "cloud" else "depth images"
-        raise BagError(f"several topics with {what} in {bags.names}, choose one with --topic: {_listed(found)}")
-    return found[0]
-
-
 def same(name: str, other: str) -> bool:
     return name.strip("/") == other.strip("/")
 

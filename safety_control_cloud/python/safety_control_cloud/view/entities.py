@@ -23,6 +23,11 @@ VISIBLE = 60  # of 255
 Entities = List[Tuple[str, Any]]
 
 
+def below(sensor: str) -> str:
+    """Where the entities of one sensor of several stand."""
+    return f"{sensor.strip('/')}/" if sensor else ""
+
+
 def camera_path(settings: core.Settings) -> str:
     return CAMERA_ELSEWHERE if settings.target_frame else CAMERA
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Iterator, Optional
+from typing import Dict, Iterator, Optional, Sequence
 from urllib.parse import quote
 
 import numpy as np
@@ -12,19 +12,31 @@ import rerun as rr
 
 from safety_control_cloud import core
 from safety_control_cloud.view.blueprint import TIMELINE, blueprint
-from safety_control_cloud.view.entities import Entities, entities_of, lasting
+from safety_control_cloud.view.entities import Entities, below, entities_of, lasting
 from safety_control_cloud.view.moment import Moment
 
 APPLICATION = "safety_control_cloud"
 MEMORY = "256MiB"  # of what viewers that come later are told
 
 
-class Sink:
-    """Takes the moments of one drive, in their order."""
+class _Clock:
+    """That of the drive: it starts with the first moment of all sensors."""
 
-    def __init__(self, stream: rr.RecordingStream, settings: core.Settings) -> None:
-        self._stream, self._settings = stream, settings
+    def __init__(self) -> None:
         self._start: Optional[float] = None
+
+    def since_start(self, time: float) -> float:
+        if self._start is None:
+            self._start = time
+        return time - self._start
+
+
+class Sink:
+    """Takes the moments of one sensor's drive, in their order."""
+
+    def __init__(self, stream: rr.RecordingStream, settings: core.Settings, sensor: str = "", clock: Optional[_Clock] = None) -> None:
+        self._stream, self._settings = stream, settings
+        self._below, self._clock = below(sensor), clock or _Clock()
         self._before: Optional[Moment] = None
         self._log(lasting(settings), lasts=True)
 
@@ -35,9 +47,7 @@ class Sink:
             self._log(lasting(settings), lasts=True)
 
     def show(self, moment: Moment) -> None:
-        if self._start is None:
-            self._start = moment.time
-        self._stream.set_time(TIMELINE, duration=moment.time - self._start)
+        self._stream.set_time(TIMELINE, duration=self._clock.since_start(moment.time))
         if moment.stamp is not None:
             self._stream.set_time("stamp", timestamp=np.datetime64(moment.stamp, "ns"))
         self._log(entities_of(moment, self._settings, self._before))
@@ -45,17 +55,24 @@ class Sink:
 
     def _log(self, entities: Entities, lasts: bool = False) -> None:
         for path, content in entities:
-            self._stream.log(path, content, static=lasts)
+            self._stream.log(self._below + path, content, static=lasts)
 
 
 @contextmanager
 def into_file(path: Path, settings: core.Settings) -> Iterator[Sink]:
     """Raises OSError if it cannot be written."""
+    with sensors_into_file(path, settings, [""]) as sinks:
+        yield sinks[""]
+
+
+@contextmanager
+def sensors_into_file(path: Path, settings: core.Settings, names: Sequence[str]) -> Iterator[Dict[str, Sink]]:
+    """A sink for each, side by side in one recording. Raises OSError if it cannot be written."""
     path.touch()
-    stream = _stream()
-    stream.save(path, default_blueprint=blueprint(settings))
+    stream, clock = _stream(), _Clock()
+    stream.save(path, default_blueprint=blueprint(settings, names))
     try:
-        yield Sink(stream, settings)
+        yield {name: Sink(stream, settings, name, clock) for name in names}
     finally:
         stream.flush()
         stream.disconnect()
