@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import os
 import re
+import signal
 import subprocess
 import sys
 import time
+import urllib.request
 from pathlib import Path
-from typing import Any, Set
+from typing import Any, Callable, Set
 
 import numpy as np
 import pytest
@@ -16,11 +18,19 @@ from drives import camera, depth, wall, write_drive
 
 pytest.importorskip("rerun", reason="rerun-sdk is not installed (scripts/setup --with view)")
 
+from safety_control_cloud.processes import process
+from safety_control_cloud.ros_session import node, roscore
 from safety_control_cloud.view.open import command, free_port, quiet, viewer
 
 WITH_PICTURE = {"/world/camera", "/world/camera/depth"}
 ALWAYS = {"/world/corridor", "/world/limits", "/world/nearest", "/world/remembered", "/distance/nearest", "/distance/warning",
           "/distance/danger", "/speed/commanded", "/decision/zone", "/decision/cause", "/log"}
+
+
+GUARDED = ALWAYS - {"/world/corridor", "/world/limits", "/world/remembered", "/distance/warning", "/distance/danger"} | {
+    "/world/footprint", "/world/path", "/world/wanted", "/speed/wanted"}
+LAUNCH = Path(__file__).resolve().parents[3] / "safety_control_cloud/launch/view.launch"
+CAMERA = [sys.executable, str(Path(__file__).with_name("live_camera.py"))]
 
 
 def run(*arguments: Any, code: int = 0) -> str:
@@ -32,6 +42,11 @@ def run(*arguments: Any, code: int = 0) -> str:
 def entities(recording: Path) -> Set[str]:
     """With their data, by rerun's own tool, which has verified them."""
     run(viewer(), "rrd", "verify", recording)
+    return recorded(recording)
+
+
+def recorded(recording: Path) -> Set[str]:
+    """The same of one that was cut off, which has no end to verify."""
     return set(re.findall(r" - (/\S+) - data columns", run(viewer(), "rrd", "print", recording)))
 
 
@@ -102,32 +117,50 @@ def what_is_missing(shown: np.ndarray) -> list:
     return missing + ([] if colourful > 20_000 else ["the picture"])
 
 
-def test_the_running_node_is_shown_with_what_it_publishes_anyway(tmp_path):
-    """Beside a camera of its own; the page and its data are there for browsers of other computers."""
-    from safety_control_cloud.processes import process
-    from safety_control_cloud.ros_session import node, roscore
-
-    recording, web, data = tmp_path / "live.rrd", free_port(), free_port()
-    camera_node = [sys.executable, str(Path(__file__).with_name("live_camera.py"))]
-    with roscore(), node("safety_control_node"), process(camera_node):
-        with node("view_node", "--rrd", str(recording)), node("view_node", "--host", "localhost", "--port", str(web), "--data-port", str(data), "__name:=other") as other:
-            page = _page(f"http://localhost:{web}/")
-            time.sleep(6.0)
-            assert "http://localhost" in other.output()
+def test_the_launch_file_serves_a_page_and_what_the_running_node_publishes_anyway(tmp_path):
+    """As a viewer on another computer gets it: over the data's port."""
+    arrived, web, data = tmp_path / "arrived.rrd", free_port(), free_port()
+    arguments = ["host:=localhost", f"port:={web}", f"data_port:={data}"]
+    with roscore(), node("safety_control_node"), process(CAMERA), process(["roslaunch", str(LAUNCH), *arguments]) as launched:
+        page = eventually(lambda: page_at(f"http://localhost:{web}/"))
+        with process([viewer(), f"rerun+http://localhost:{data}/proxy", "--save", str(arrived)]) as client:
+            eventually(lambda: holds_pictures(arrived))
+            client.send(signal.SIGINT)
+            client.wait(10.0)
+        assert f"http://localhost:{web}" in launched.output()
 
     assert "<html" in page.lower()
-    assert entities(recording) >= ALWAYS | WITH_PICTURE
-    assert "SEEN" in texts(recording)
+    assert recorded(arrived) >= ALWAYS | WITH_PICTURE
+    assert "SEEN" in texts(arrived)
 
 
-def _page(address: str) -> str:
-    import urllib.request
+def test_a_guarded_robot_is_shown_with_its_footprint_and_what_it_sweeps(tmp_path):
+    guard = tmp_path / "guard.rrd"
+    with roscore(), node("safety_control_node", "_mode:=guard"), process([*CAMERA, "guard"]):
+        with node("view_node", "--rrd", str(guard)):
+            eventually(lambda: holds_pictures(guard))
 
-    deadline = time.monotonic() + 60
-    while True:
-        try:
-            return urllib.request.urlopen(address, timeout=10).read().decode()
-        except OSError:
-            if time.monotonic() > deadline:
-                raise
-            time.sleep(0.3)
+    shown, said = entities(guard), texts(guard)
+    assert shown >= GUARDED | WITH_PICTURE and not shown & {"/world/corridor", "/world/limits", "/speed/safe"}
+    assert "SEEN" in said and "Transform3D" in said
+
+
+def holds_pictures(recording: Path) -> bool:
+    return recording.exists() and recording.stat().st_size > 200_000  # [byte]
+
+
+def eventually(condition: Callable[[], Any]) -> Any:
+    deadline = time.monotonic() + 60.0
+    while time.monotonic() < deadline:
+        result = condition()
+        if result:
+            return result
+        time.sleep(0.2)
+    raise AssertionError("it did not come about within 60 s")
+
+
+def page_at(address: str) -> str:
+    try:
+        return urllib.request.urlopen(address, timeout=10).read().decode()
+    except OSError:
+        return ""  # not yet

@@ -11,7 +11,7 @@ from sensor_msgs.msg import CameraInfo, Image, PointCloud2
 
 from safety_control_cloud.replay.eyes import pinhole_of
 from safety_control_cloud.replay.topics import OWN
-from safety_control_cloud.replay.wire import WireError, image_in, points_in
+from safety_control_cloud.replay.wire import Points, WireError, image_in, points_in
 from safety_control_cloud.replay.xyz import metres_of, xyz_of
 from safety_control_cloud.view.moment import Picture, Pinhole
 from safety_control_cloud.view.picture import depth_of, picture_of, thinned
@@ -28,6 +28,7 @@ class CameraView:
         self._is_depth, self._period = kind == "depth", period
         self._kept_at, self._raw, self._picture = 0.0, None, None  # type: float, Optional[bytes], Optional[Picture]
         self._camera: Optional[Pinhole] = None
+        self.frame = ""  # of the picture
         topic = rospy.resolve_name(OWN[int(self._is_depth)])
         rospy.Subscriber(topic, _raw_of(Image if self._is_depth else PointCloud2), self._keep, queue_size=1, buff_size=BUFFER)
         if self._is_depth:
@@ -45,11 +46,11 @@ class CameraView:
         return self._picture
 
     def _picture_in(self, raw: bytes) -> Optional[Picture]:
-        if not self._is_depth:
-            return thinned(picture_of(xyz_of(points_in(raw, False)[1]), self._picture), LARGEST)
-        if not self._camera:
-            return None
-        return thinned(depth_of(metres_of(image_in(raw, False)[1]), self._camera), LARGEST)
+        header, content = (image_in if self._is_depth else points_in)(raw, False)
+        self.frame = header.frame
+        if isinstance(content, Points):
+            return thinned(picture_of(xyz_of(content), self._picture), LARGEST)
+        return thinned(depth_of(metres_of(content), self._camera), LARGEST) if self._camera else None
 
     def _keep(self, message: rospy.AnyMsg) -> None:
         if time.monotonic() - self._kept_at >= self._period * 0.8:

@@ -7,16 +7,20 @@ from __future__ import annotations
 
 import math
 from threading import Lock
-from typing import Any, Dict, List, Optional
+from typing import Any, Dict, List, Optional, Tuple
 
+import numpy as np
 import rospy
+import tf2_ros
+from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 
 from safety_control_cloud import core
+from safety_control_cloud.judge.places import matrix_of
 from safety_control_cloud.msg import SafetyState
 from safety_control_cloud.nodes.camera_view import CameraView
 from safety_control_cloud.view.memory import spots_in
-from safety_control_cloud.view.moment import Moment
+from safety_control_cloud.view.moment import Guarded, Moment, Motion
 from safety_control_cloud.view.sink import Sink
 
 BLIND_CAUSES = ("SILENT", "NO_CLOUD", "UNREADABLE")  # there is no picture that belongs to them
@@ -33,6 +37,8 @@ class Viewer:
         self._driven: Optional[float] = None
         self.settings = settings_of(rospy.get_param(name, {}))
         self._camera = CameraView(self.settings.input, self._period)
+        self._transforms = tf2_ros.Buffer()
+        self._listener = tf2_ros.TransformListener(self._transforms) if self.settings.mode == "guard" else None
         rospy.Subscriber(f"{name}/state", SafetyState, self._on_state, queue_size=20)
         if odometry:
             rospy.Subscriber(odometry, Odometry, self._on_odometry, queue_size=1)
@@ -61,7 +67,21 @@ class Viewer:
         return Moment(
             now, state.zone_text, state.cause_text, state.reason, state.nearest if math.isfinite(state.nearest) else None,
             point if all(map(math.isfinite, point)) else None, state.speed, self._driven, state.header.stamp.to_nsec(),
-            picture, spots_in(rospy.get_param(f"{self._name}_lost/things", [])))
+            picture, *self._guarding(state), spots_in(rospy.get_param(f"{self._name}_lost/things", [])))
+
+    def _guarding(self, state: SafetyState) -> Tuple[Optional[Guarded], Optional[np.ndarray]]:
+        """In mode guard: what it lets through, and where the camera is."""
+        if not self._listener:
+            return None, None
+        return Guarded(_motion(state.wanted), _motion(state.given)), self._place()
+
+    def _place(self) -> Optional[np.ndarray]:
+        try:
+            found = self._transforms.lookup_transform(self.settings.base_frame, self._camera.frame, rospy.Time())
+        except tf2_ros.TransformException:
+            return None
+        place = matrix_of(found.transform)
+        return place if isinstance(place, np.ndarray) else None
 
     def _on_state(self, state: SafetyState) -> None:
         with self._lock:
@@ -69,6 +89,10 @@ class Viewer:
 
     def _on_odometry(self, odometry: Odometry) -> None:
         self._driven = odometry.twist.twist.linear.x
+
+
+def _motion(twist: Twist) -> Motion:
+    return twist.linear.x, twist.linear.y, twist.angular.z
 
 
 def settings_of(parameters: Dict[str, Any]) -> core.Settings:

@@ -7,7 +7,7 @@ from typing import List, Sequence
 import rerun.blueprint as rrb
 
 from safety_control_cloud import core
-from safety_control_cloud.view.entities import CAUSE, DISTANCE, LOG, SPEED, ZONE, below, camera_path
+from safety_control_cloud.view.entities import CAUSE, DISTANCE, LOG, SPEED, ZONE, below, camera_path, guards
 
 TIMELINE = "time"
 
@@ -49,6 +49,6 @@ def _plots(sensor: str = "") -> List[rrb.View]:
 
 def _behind(settings: core.Settings) -> rrb.EyeControls3D:
     """Over the robot's shoulder."""
-    if settings.target_frame:
+    if settings.target_frame or guards(settings):
         return rrb.EyeControls3D(position=(-1.6, -0.9, 1.5), look_target=(1.0, 0.0, 0.2), eye_up=(0.0, 0.0, 1.0))
     return rrb.EyeControls3D(position=(0.9, -1.2, -1.6), look_target=(0.0, 0.1, 1.0), eye_up=(0.0, -1.0, 0.0))

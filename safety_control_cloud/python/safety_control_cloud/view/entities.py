@@ -9,14 +9,16 @@ import numpy as np
 import rerun as rr
 
 from safety_control_cloud import core
-from safety_control_cloud.view.moment import Depth, Moment, Points
+from safety_control_cloud.view.guarded import footprint_of, swept
+from safety_control_cloud.view.moment import Depth, Moment, Picture, Points
 
 COLOURS = {"Safe": (46, 158, 91), "Warning": (232, 163, 23), "Danger": (214, 69, 69)}
 UNKNOWN, INK, GREY, LOST = (135, 149, 161), (90, 170, 250), (150, 150, 150), (255, 120, 255)
-CAMERA, CORRIDOR, LIMITS, POINT, POINTS, REMEMBERED = (
-    f"world/{name}" for name in ("camera", "corridor", "limits", "nearest", "points", "remembered"))
+CAMERA, CORRIDOR, FOOTPRINT, LIMITS, PATH, POINT, POINTS, REMEMBERED, WANTED = (
+    f"world/{name}" for name in ("camera", "corridor", "footprint", "limits", "path", "nearest", "points", "remembered", "wanted"))
 CAMERA_ELSEWHERE = "camera"  # whose place in the target_frame is not told
 DISTANCE, SPEED, ZONE, CAUSE, LOG = "distance", "speed", "decision/zone", "decision/cause", "log"
+HELD = (f"{SPEED}/commanded", f"{SPEED}/wanted")
 THIN = 0.004  # [m] of a plane
 VISIBLE = 60  # of 255
 
@@ -28,24 +30,39 @@ def below(sensor: str) -> str:
     return f"{sensor.strip('/')}/" if sensor else ""
 
 
+def guards(settings: core.Settings) -> bool:
+    return settings.mode == "guard"
+
+
 def camera_path(settings: core.Settings) -> str:
-    return CAMERA_ELSEWHERE if settings.target_frame else CAMERA
+    return CAMERA_ELSEWHERE if settings.target_frame and not guards(settings) else CAMERA
 
 
 def lasting(settings: core.Settings) -> Entities:
     """What holds for the whole drive."""
-    axes = rr.ViewCoordinates.FLU if settings.target_frame else rr.ViewCoordinates.RDF
+    axes = rr.ViewCoordinates.FLU if settings.target_frame or guards(settings) else rr.ViewCoordinates.RDF
+    return [("world", axes), *([] if guards(settings) else _limits(settings)), *_styles(settings)]
+
+
+def _limits(settings: core.Settings) -> Entities:
     limits = {"warning": settings.warning_distance, "danger": settings.danger_distance}
     boxes = [_corridor(settings, at - THIN / 2, at + THIN / 2) for at in limits.values()]
     planes = rr.Boxes3D(
         centers=[box[0] for box in boxes], half_sizes=[box[1] for box in boxes],
         colors=[COLOURS[zone.capitalize()] for zone in limits], labels=[f"{zone} {at:g} m" for zone, at in limits.items()])
-    found: Entities = [("world", axes), (LIMITS, planes)]
-    lines = {f"{DISTANCE}/nearest": INK, f"{DISTANCE}/warning": COLOURS["Warning"], f"{DISTANCE}/danger": COLOURS["Danger"],
-             f"{SPEED}/commanded": INK, f"{SPEED}/driven": GREY, f"{SPEED}/safe": COLOURS["Safe"],
-             f"{SPEED}/warning": COLOURS["Warning"]}
+    return [(LIMITS, planes)]
+
+
+def _styles(settings: core.Settings) -> Entities:
+    lines = {f"{DISTANCE}/nearest": INK, f"{SPEED}/commanded": INK, f"{SPEED}/driven": GREY}
+    if guards(settings):
+        lines[f"{SPEED}/wanted"] = UNKNOWN
+    else:
+        lines.update({f"{DISTANCE}/warning": COLOURS["Warning"], f"{DISTANCE}/danger": COLOURS["Danger"],
+                      f"{SPEED}/safe": COLOURS["Safe"], f"{SPEED}/warning": COLOURS["Warning"]})
+    found: Entities = []
     for path, colour in lines.items():
-        steps = "StepAfter" if path == f"{SPEED}/commanded" else "Linear"  # a command holds until the next
+        steps = "StepAfter" if path in HELD else "Linear"  # a command holds until the next
         found.append((path, rr.SeriesLines(colors=[colour], names=path.rpartition("/")[2], interpolation_mode=steps)))
     values = list(COLOURS)
     found.append((ZONE, rr.StateConfiguration(values=values, labels=values, colors=_packed(COLOURS.values()))))
@@ -54,7 +71,8 @@ def lasting(settings: core.Settings) -> Entities:
 
 def entities_of(moment: Moment, settings: core.Settings, before: Optional[Moment] = None) -> Entities:
     """Of one moment; the picture is left out where it has none, and what goes on from the moment before is not said again."""
-    return [*_gone(moment, before, settings), *_picture(moment, settings), *_scene(moment, settings), *_plots(moment, settings), *_said(moment, before)]
+    scene = _floor(moment, settings) if guards(settings) else _corridor_ahead(moment, settings)
+    return [*_gone(moment, before, settings), *_picture(moment, settings), *scene, *_plots(moment, settings), *_said(moment, before)]
 
 
 def _gone(moment: Moment, before: Optional[Moment], settings: core.Settings) -> Entities:
@@ -66,6 +84,16 @@ def _gone(moment: Moment, before: Optional[Moment], settings: core.Settings) -> 
 
 def _picture(moment: Moment, settings: core.Settings) -> Entities:
     picture, camera = moment.picture, camera_path(settings)
+    if guards(settings):
+        if moment.place is None:
+            return []  # where it belongs is not known
+        placed = rr.Transform3D(mat3x3=moment.place[:, :3], translation=moment.place[:, 3])
+        return [(camera, placed), *_picture_of(picture, settings)]
+    return _picture_of(picture, settings)
+
+
+def _picture_of(picture: Optional[Picture], settings: core.Settings) -> Entities:
+    camera = camera_path(settings)
     if isinstance(picture, Depth):
         height, width = picture.millimetres.shape
         lens = picture.camera
@@ -80,27 +108,44 @@ def _picture(moment: Moment, settings: core.Settings) -> Entities:
 
 
 def _points_path(settings: core.Settings) -> str:
-    return f"{CAMERA_ELSEWHERE}/points" if settings.target_frame else POINTS
+    return f"{camera_path(settings)}/points" if settings.target_frame or guards(settings) else POINTS
 
 
-def _scene(moment: Moment, settings: core.Settings) -> Entities:
+def _corridor_ahead(moment: Moment, settings: core.Settings) -> Entities:
     colour = COLOURS.get(moment.zone, UNKNOWN)
     centre, half = _corridor(settings, 0.0, settings.warning_distance)
     text = moment.zone if moment.nearest is None else f"{moment.zone} {moment.nearest:.2f} m"
     corridor = rr.Boxes3D(
         centers=[centre], half_sizes=[half], colors=[(*colour, VISIBLE)], fill_mode="TransparentFillMajorWireframe",
         labels=[text if moment.cause == "SEEN" else f"{text}, {moment.cause}"])
-    point = rr.Points3D([moment.point] if moment.point else [], colors=[colour], radii=[0.03])
     remembered = f"{camera_path(settings)}/remembered" if settings.target_frame else REMEMBERED
-    return [(CORRIDOR, corridor), (POINT, point),
+    return [(CORRIDOR, corridor), _decider(moment),
             (remembered, rr.Points3D(moment.remembered, colors=[LOST], radii=[0.02]))]
+
+
+def _floor(moment: Moment, settings: core.Settings) -> Entities:
+    """The footprint, what it would sweep, and what it sweeps."""
+    colour, guarded = COLOURS.get(moment.zone, UNKNOWN), moment.guarded
+    given = swept(settings, guarded.given) if guarded else []
+    wanted = swept(settings, guarded.wanted) if guarded and guarded.wanted != guarded.given else []
+    return [(FOOTPRINT, rr.LineStrips3D([footprint_of(settings)], colors=[colour], radii=[0.008])), _decider(moment),
+            (WANTED, rr.LineStrips3D(wanted, colors=[UNKNOWN], radii=[0.002])),
+            (PATH, rr.LineStrips3D(given, colors=[colour], radii=[0.004]))]
+
+
+def _decider(moment: Moment) -> Tuple[str, Any]:
+    return POINT, rr.Points3D([moment.point] if moment.point else [], colors=[COLOURS.get(moment.zone, UNKNOWN)], radii=[0.03])
 
 
 def _plots(moment: Moment, settings: core.Settings) -> Entities:
     values: Dict[str, float] = {
-        f"{DISTANCE}/nearest": nan if moment.nearest is None else moment.nearest,
-        f"{DISTANCE}/warning": settings.warning_distance, f"{DISTANCE}/danger": settings.danger_distance,
-        f"{SPEED}/commanded": moment.speed, f"{SPEED}/safe": settings.safe_speed, f"{SPEED}/warning": settings.warning_speed}
+        f"{DISTANCE}/nearest": nan if moment.nearest is None else moment.nearest, f"{SPEED}/commanded": moment.speed}
+    if not guards(settings):
+        values.update({
+            f"{DISTANCE}/warning": settings.warning_distance, f"{DISTANCE}/danger": settings.danger_distance,
+            f"{SPEED}/safe": settings.safe_speed, f"{SPEED}/warning": settings.warning_speed})
+    elif moment.guarded:
+        values[f"{SPEED}/wanted"] = moment.guarded.wanted[0]
     if moment.driven is not None:
         values[f"{SPEED}/driven"] = moment.driven
     return [(path, rr.Scalars(value)) for path, value in values.items()]
