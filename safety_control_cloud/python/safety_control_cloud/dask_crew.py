@@ -12,6 +12,7 @@ from distributed.scheduler import KilledWorker
 
 from safety_control_cloud.dispatch import ClusterError, WorkerDied
 
+ANSWERS = 10.0  # [s] within which a scheduler does
 NONE_LEFT = 60.0  # [s] that a cluster may be without a worker
 TAKING = 30.0  # [s] that a result may take from its worker to here
 
@@ -22,7 +23,7 @@ class DaskCrew:
     def __init__(self, address: str, version: Callable[[], str], on_refusal: Callable[[str], None]) -> None:
         """Raises ClusterError."""
         try:
-            self._client = Client(address, timeout=10)
+            self._client = Client(address, timeout=ANSWERS)
         except (OSError, ValueError) as error:
             raise ClusterError(f"no scheduler at {address}: {error}") from error
         self._version, self._on_refusal = version, on_refusal

@@ -78,7 +78,8 @@ def test_workers_with_another_version_are_refused_by_name(cluster):
     assert len(refused) == 3 and all("version of process" in line for line in refused)
 
 
-def test_a_cluster_that_is_not_there_is_named():
+def test_a_cluster_that_is_not_there_is_named(monkeypatch):
+    monkeypatch.setattr(dask_crew, "ANSWERS", 1.0)
     with pytest.raises(ClusterError, match="tcp://127.0.0.1:9"):
         DaskCrew("tcp://127.0.0.1:9", version, print)
 

@@ -136,6 +136,7 @@ def test_bags_on_s3_are_judged_where_they_are_and_known_by_their_checksum(tmp_pa
 
 def test_a_store_that_cannot_be_reached_costs_the_bags_their_rows(tmp_path, monkeypatch):
     monkeypatch.setenv("AWS_ENDPOINT_URL", "http://127.0.0.1:9")
+    monkeypatch.setenv("AWS_MAX_ATTEMPTS", "1")
     monkeypatch.setenv("AWS_ACCESS_KEY_ID", "test")
     monkeypatch.setenv("AWS_SECRET_ACCESS_KEY", "test")
 

@@ -18,15 +18,16 @@ from drives import camera, depth, wall, write_drive
 
 pytest.importorskip("rerun", reason="rerun-sdk is not installed (scripts/setup --with view)")
 
+from safety_control_cloud import core
 from safety_control_cloud.processes import process
 from safety_control_cloud.ros_session import node, roscore
+from safety_control_cloud.view.entities import COLOURS, entities_of
+from safety_control_cloud.view.moment import Moment
 from safety_control_cloud.view.open import command, free_port, quiet, viewer
 
 WITH_PICTURE = {"/world/camera", "/world/camera/depth"}
 ALWAYS = {"/world/corridor", "/world/limits", "/world/nearest", "/world/remembered", "/distance/nearest", "/distance/warning",
           "/distance/danger", "/speed/commanded", "/decision/zone", "/decision/cause", "/log"}
-
-
 GUARDED = ALWAYS - {"/world/corridor", "/world/limits", "/world/remembered", "/distance/warning", "/distance/danger"} | {
     "/world/footprint", "/world/path", "/world/wanted", "/speed/wanted"}
 LAUNCH = Path(__file__).resolve().parents[3] / "safety_control_cloud/launch/view.launch"
@@ -84,6 +85,17 @@ def test_a_replay_of_several_sensors_holds_each_for_itself_with_its_points_and_t
     for sensor in ("/front", "/rear/points"):
         assert shown >= {sensor + entity for entity in ALWAYS | {"/world/points"}}
     assert not shown & ALWAYS and "SILENT" in texts(tmp_path / "clouds.rrd")
+
+
+@pytest.mark.parametrize("zone", COLOURS)
+def test_the_corridor_and_the_footprint_bear_the_zones_colour_in_full(zone):
+    """The viewer makes a corridor's sides transparent by itself: of a colour that is transparent too, nothing is left."""
+    moment = Moment(0.0, zone, "SEEN", "", 0.4, (0.0, 0.0, 0.4), 0.0)
+    red, green, blue = COLOURS[zone]
+
+    for mode, path in (("drive", "world/corridor"), ("guard", "world/footprint")):
+        shown = dict(entities_of(moment, core.Settings(mode=mode)))[path]
+        assert shown.colors.as_arrow_array().to_pylist() == [(red << 24) + (green << 16) + (blue << 8) + 255]
 
 
 def test_a_simulated_drive_is_recorded_with_the_speed_over_the_floor(tmp_path):

@@ -20,7 +20,6 @@ CAMERA_ELSEWHERE = "camera"  # whose place in the target_frame is not told
 DISTANCE, SPEED, ZONE, CAUSE, LOG = "distance", "speed", "decision/zone", "decision/cause", "log"
 HELD = (f"{SPEED}/commanded", f"{SPEED}/wanted")
 THIN = 0.004  # [m] of a plane
-VISIBLE = 60  # of 255
 
 Entities = List[Tuple[str, Any]]
 
@@ -116,7 +115,7 @@ def _corridor_ahead(moment: Moment, settings: core.Settings) -> Entities:
     centre, half = _corridor(settings, 0.0, settings.warning_distance)
     text = moment.zone if moment.nearest is None else f"{moment.zone} {moment.nearest:.2f} m"
     corridor = rr.Boxes3D(
-        centers=[centre], half_sizes=[half], colors=[(*colour, VISIBLE)], fill_mode="TransparentFillMajorWireframe",
+        centers=[centre], half_sizes=[half], colors=[colour], fill_mode="TransparentFillMajorWireframe",
         labels=[text if moment.cause == "SEEN" else f"{text}, {moment.cause}"])
     remembered = f"{camera_path(settings)}/remembered" if settings.target_frame else REMEMBERED
     return [(CORRIDOR, corridor), _decider(moment),
