@@ -6,7 +6,7 @@ import time
 import uuid
 from typing import Any, Callable, Dict, Set
 
-from distributed import Client, Future
+from distributed import Client, Future, TimeoutError
 from distributed.client import FutureCancelledError, FuturesCancelledError
 from distributed.scheduler import KilledWorker
 
@@ -15,6 +15,7 @@ from safety_control_cloud.dispatch import ClusterError, WorkerDied
 ANSWERS = 10.0  # [s] within which a scheduler does
 NONE_LEFT = 60.0  # [s] that a cluster may be without a worker
 TAKING = 30.0  # [s] that a result may take from its worker to here
+LOOK = 1.0  # [s] after which it is asked whether the worker is still there
 
 
 class DaskCrew:
@@ -53,12 +54,23 @@ class DaskCrew:
 
     def result(self, worker: str, future: Future) -> Any:
         try:
-            return future.result(timeout=TAKING)
+            return self._taken_from(worker, future)
         except (KilledWorker, FutureCancelledError, FuturesCancelledError, TimeoutError) as error:
             self.abandon(future)
             raise WorkerDied(worker) from error
         finally:
             future.release()
+
+    def _taken_from(self, worker: str, future: Future) -> Any:
+        """A worker may die with what it has done; the scheduler would wait for another to do it."""
+        deadline = time.monotonic() + TAKING
+        while True:
+            try:
+                return future.result(timeout=LOOK)
+            except TimeoutError:
+                late = time.monotonic() > deadline or future.status == "error"  # the second: it is what the job raised
+                if late or worker not in self._client.nthreads():
+                    raise
 
     def abandon(self, future: Future) -> None:
         future.cancel()

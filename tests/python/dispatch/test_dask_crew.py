@@ -6,6 +6,7 @@ import os
 import random
 import signal
 import threading
+import time
 from typing import Any, Iterator, List
 
 import jobs
@@ -14,7 +15,7 @@ import pytest
 distributed = pytest.importorskip("distributed", reason="Dask is not installed (scripts/setup --with cluster)")
 
 from safety_control_cloud import dask_crew
-from safety_control_cloud.dask_crew import ClusterError, DaskCrew
+from safety_control_cloud.dask_crew import TAKING, ClusterError, DaskCrew
 from safety_control_cloud.dispatch import DEATHS, Fatal, shared_out
 
 
@@ -62,11 +63,15 @@ def test_jobs_whose_workers_are_killed_are_done_by_others(cluster):
     killer = threading.Thread(target=kill)
     killer.start()
     with crew_of(cluster, []) as crew:
-        results = dict(shared_out(range(200), jobs.square, crew))
+        results, times = {}, [time.monotonic()]
+        for number, result in shared_out(range(200), jobs.square, crew):
+            results[number] = result
+            times.append(time.monotonic())
     done.set()
     killer.join()
 
     assert results == {number: number**2 for number in range(200)}
+    assert max(later - earlier for earlier, later in zip(times, times[1:])) < TAKING / 2  # none waits for what a dead one had done
 
 
 def test_workers_with_another_version_are_refused_by_name(cluster):
