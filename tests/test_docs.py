@@ -122,7 +122,7 @@ def test_every_parameter_that_a_page_sets_exists(page):
 
     known = {*core.Settings().as_dict(), "image_transport"}
     named = re.findall(r"`_?(\w+): [-\d.\w]+`", page.read_text()) + re.findall(r"`~([a-z_]+)(?:[:=][^`]*)?`", page.read_text())
-    topics = {"state", "blocked", "markers", "reset", "active", "contacts"}
+    topics = {"override", "state", "blocked", "markers", "reset", "active", "contacts"}
     assert set(named) - known - topics == set()
 
 

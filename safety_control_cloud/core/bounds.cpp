@@ -51,6 +51,8 @@ constexpr Bound bounds[] = {
     {"max_turn", 10.0},
     {"escape_speed", 0.5},
     {"unseen_speed", speed},
+    {"override_max", 60.0},
+    {"override_speed", 0.5},
     {"latency", 5.0},
     {"base_reaction", 5.0},
     {"angular_deceleration", 100.0},

@@ -73,6 +73,7 @@ void GuardControl::adopt(const Settings& settings) {
   sensor_.adopt(sensor_settings(settings_));
   given_.follow(following_of(settings_));
   around_ = surroundings_of(settings_, guard_);
+  override_.adopt(settings_);
   taken_.reset();  // what was collected was collected within other limits
 }
 
@@ -101,6 +102,11 @@ void GuardControl::take(const Reading& reading, const Origin& origin, const Inst
 void GuardControl::want(const Command& wanted, const Instant& now) {
   wanted_ = wanted;
   wanted_at_ = now.steady;
+}
+
+OverrideReply GuardControl::ask_override(const OverrideWish& wish, const Instant& now) {
+  sensor_.wait(now);
+  return override_.ask(wish, settings_, doubt_of(known_at(now)), now.steady);
 }
 
 Known GuardControl::known_at(const Instant& now) const {
@@ -139,18 +145,29 @@ std::vector<Twist2> GuardControl::under_way(const Instant& now) const {
   return twists;
 }
 
+/// The cause stays what the sensor is worth, so that nobody takes this for sight.
+Allowed GuardControl::overridden(const Twist2& wanted, const Known& sensor, const Instant& now) const {
+  Allowed allowed = guard_.at_most(wanted, override_.speed());
+  const auto doubt = doubt_of(sensor);
+  if (doubt) allowed.cause = doubt->cause;
+  allowed.reason = words("~override, ", measured(override_.left(now.steady), "s"), " left",
+                         doubt ? ", in spite of this: " + doubt->reason : "");
+  return allowed;
+}
+
 Allowed GuardControl::allowed_now(const Instant& now, const std::vector<Known>& known) const {
   const auto standing = [](Cause cause, std::string reason) {
     return Allowed{0.0, 0.0, std::nullopt, {}, cause, std::move(reason)};
   };
   const Known& sensor = known.front();
-  if (sensor.doubt) return standing(sensor.doubt->cause, sensor.doubt->reason);
+  const bool overrides = override_.covers(sensor, now.steady);
+  if (sensor.doubt && !overrides) return standing(sensor.doubt->cause, sensor.doubt->reason);
   if (!wanted_) return standing(Cause::NoCommand, "nobody has commanded the robot yet");
   const double age = now.steady - wanted_at_;
   if (age > settings_.command_timeout) return standing(Cause::NoCommand, "no command for " + measured(age, "s"));
   if (is_absurd(*wanted_)) return standing(Cause::BadCommand, "the command is no motion that a robot can drive");
   const Twist2 wanted = in_plane(*wanted_);
-  Allowed allowed = guard_.allowed(wanted, under_way(now), known);
+  Allowed allowed = overrides ? overridden(wanted, sensor, now) : guard_.allowed(wanted, under_way(now), known);
   const bool dead = fastest_point(guard_.outline(), limited(wanted, allowed.factor)) < settings_.min_speed;
   if (allowed.factor < 1.0 && dead) allowed.factor = 0.0;
   return allowed;
@@ -171,6 +188,7 @@ const Guarded& GuardControl::answer(const Instant& now) {
   last_.sensor = allowed.sensor;
   last_.cause = allowed.cause;
   last_.reason = allowed.reason.empty() ? "the command is safe" : std::move(allowed.reason);
+  last_.override_left = override_.left(now.steady);
   last_.sight = sensor_.counted();
   last_.stuck = meant && allowed.factor == 0.0 && !stands(in_plane(*wanted_));
   if (last_.stuck && !was_stuck) last_.stuck_since = now.steady;

@@ -10,6 +10,7 @@
 #include "guard/given.hpp"
 #include "guard/guard.hpp"
 #include "guard/odometry.hpp"
+#include "guard/override.hpp"
 #include "sensor.hpp"
 #include "settings.hpp"
 
@@ -27,6 +28,7 @@ struct Guarded {
   bool stuck = false;        ///< something is wanted and nothing is given
   double stuck_since = 0.0;  ///< [s, steady] if it is
   std::uint8_t open = 0;     ///< while it is: bits of the directions in which it may move (guard/directions.hpp)
+  double override_left = 0.0;  ///< [s] for which what is seen is not asked; 0: it is
   Sight sight;               ///< what the latest reading held
 };
 
@@ -48,6 +50,9 @@ class GuardControl {
 
   /// What is in doubt outside of the sensors. From the next answer on the robot stands for it, until there is none.
   void note_outside(std::optional<Doubt> doubt) { outside_ = std::move(doubt); }
+
+  /// Somebody asks that for a while nobody asks what is seen.
+  OverrideReply ask_override(const OverrideWish& wish, const Instant& now);
 
   /// What holds now. It is taken for said: the robot is held to do it from now on.
   const Guarded& answer(const Instant& now);
@@ -76,6 +81,7 @@ class GuardControl {
   Known known_at(const Instant& now) const;
   std::vector<Pose2> ways_since_look(const Instant& now) const;
   std::vector<Twist2> under_way(const Instant& now) const;
+  Allowed overridden(const Twist2& wanted, const Known& sensor, const Instant& now) const;
   Allowed allowed_now(const Instant& now, const std::vector<Known>& known) const;
   std::uint8_t open_directions(const Instant& now, const std::vector<Known>& known) const;
 
@@ -90,6 +96,7 @@ class GuardControl {
   std::optional<Command> wanted_;
   double wanted_at_ = 0.0;  ///< [s, steady]
   std::optional<Doubt> outside_;
+  SightOverride override_;
   Guarded last_;
 };
 

@@ -36,6 +36,7 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
           private_handle, settings, [this](const Settings& changed) { control_.adopt(changed); }, log_),
       diagnostics_(handle, private_handle) {
   on_quiet();
+  override_ = private_handle.advertiseService("override", &GuardNode::on_override, this);
   const auto at_once = ros::TransportHints().tcpNoDelay();
   wanted_ = handle.subscribe<geometry_msgs::Twist>(
       "cmd_vel_in", 1,
@@ -108,6 +109,15 @@ void GuardNode::on_quiet() {
   diagnostics_.on_quiet(to_decision(decided));
 }
 
+bool GuardNode::on_override(OverrideRequest& wish, OverrideResponse& response) {
+  const OverrideReply reply = control_.ask_override({wish.seconds, wish.speed, wish.even_in_doubt != 0}, now());
+  response.success = reply.granted;
+  response.message = reply.words;
+  log_.warn("~override: " + reply.words);
+  publish(answer());
+  return true;
+}
+
 /// Why the robot stands whatever is wanted and seen.
 std::optional<Doubt> GuardNode::outside() const {
   if (last_cloud_.isZero()) return lost_things_.nothing_seen();
@@ -119,6 +129,7 @@ Guarded GuardNode::answer() {
   control_.note_outside(commanders ? commanders : outside());
   Guarded answer = control_.answer(now());
   if (answer.cause == Cause::NoCloud) answer.reason += "; " + awaited_.why();
+  diagnostics_.note_override(answer.override_left);
   return answer;
 }
 
@@ -131,10 +142,12 @@ LostThings::Control GuardNode::lost_things() {
           }};
 }
 
-/// The next answer is due after a period, or once the camera counts as silent, if that is sooner.
+/// The next answer is due after a period, or once the camera counts as silent or an override ends, if that is sooner.
 void GuardNode::publish(const Guarded& answer) {
   const double until_silent = control_.settings().source_timeout - seconds_since(last_cloud_);
-  const double due = until_silent > 0.0 ? std::min(period(), until_silent) : period();
+  double due = period();
+  for (const double change : {until_silent, answer.override_left})
+    if (change > 0.0) due = std::min(due, change);
   quiet_.in(due);
   said_ = to_twist(answer.given);
   commands_.publish(said_, now().steady + due + slack);

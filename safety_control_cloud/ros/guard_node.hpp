@@ -4,6 +4,7 @@
 #include <geometry_msgs/Twist.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
+#include <safety_control_cloud/Override.h>
 
 #include <memory>
 #include <optional>
@@ -42,6 +43,7 @@ class GuardNode : public Node {
   void on_wanted(const geometry_msgs::Twist& wanted);
   void on_odometry(const nav_msgs::Odometry& odometry);
   void on_quiet();
+  bool on_override(OverrideRequest& wish, OverrideResponse& response);
 
   LostThings::Control lost_things();
   void see(const Arrival& arrival);
@@ -60,6 +62,7 @@ class GuardNode : public Node {
   std::unique_ptr<Input> input_;
   ros::Subscriber wanted_, odometry_;
   Wake quiet_;
+  ros::ServiceServer override_;
   Reconfigure reconfigure_;
   Diagnostics diagnostics_;
   OwnGap gap_;

@@ -3,7 +3,7 @@
 
 # Asking make takes catkin over a second; the sources' times answer in a hundredth.
 current() {
-  [[ $(cat "$1" 2>/dev/null) == "$root" && -z $(find CMakeLists.txt package.xml setup.py msg tests/CMakeLists.txt \
+  [[ $(cat "$1" 2>/dev/null) == "$root" && -z $(find CMakeLists.txt package.xml setup.py msg srv tests/CMakeLists.txt \
     safety_control_cloud "${@:2}" -newer "$1" -type f ! -name '*.pyc' -print -quit) ]]
 }
 

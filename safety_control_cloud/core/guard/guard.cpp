@@ -74,6 +74,10 @@ Allowed Guard::allowed(const Twist2& wanted, const std::vector<Twist2>& under_wa
   return seen;
 }
 
+Allowed Guard::at_most(const Twist2& wanted, double fastest) const {
+  return lesser(by_speed(wanted), capped(wanted, fastest, "slower than wanted"));
+}
+
 Allowed Guard::capped(const Twist2& wanted, double fastest, const std::string& reason) const {
   Allowed allowed;
   const double speed = fastest_point(outline_, wanted);

@@ -33,6 +33,9 @@ class Guard {
   /// `under_way` as limit() has it; the least of what the sensors allow.
   Allowed allowed(const Twist2& wanted, const std::vector<Twist2>& under_way, const std::vector<Known>& known) const;
 
+  /// The same where nobody asks what is seen: no faster than `fastest` [m/s] for the fastest point.
+  Allowed at_most(const Twist2& wanted, double fastest) const;
+
   const Outline& outline() const { return outline_; }
 
   /// [m] beyond which nothing is reached by the fastest motion, given sensors that are up to `oldest` [s] old.

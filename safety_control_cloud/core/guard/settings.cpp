@@ -48,6 +48,8 @@ void check(const GuardSettings& guard, Problems& problems) {
   problems.require(guard.max_turn > 0.0, "max_turn must be positive");
   problems.require(guard.escape_speed >= 0.0, "escape_speed must not be negative");
   problems.require(guard.unseen_speed >= 0.0, "unseen_speed must not be negative");
+  problems.require(guard.override_max >= 0.0, "override_max must not be negative");
+  problems.require(guard.override_speed > 0.0, "override_speed must be positive");
   problems.require(guard.latency >= 0.0, "latency must not be negative");
   problems.require(guard.base_reaction >= 0.0, "base_reaction must not be negative");
   problems.require(guard.angular_deceleration > 0.0, "angular_deceleration must be positive");

@@ -36,6 +36,8 @@ struct GuardSettings {
   double max_turn = 3.14;        ///< [rad/s]
   double escape_speed = 0.1;     ///< [m/s] of the fastest point on the way out of the margin
   double unseen_speed = 0.1;     ///< [m/s] of the fastest point, where no sensor looks; 0 = never
+  double override_max = 0.0;     ///< [s] for which ~override may hold; 0 = it is refused
+  double override_speed = 0.1;   ///< [m/s] of the fastest point meanwhile, at most
   double latency = 0.05;         ///< [s] from a look, or a wish, until the base has the command
   double base_reaction = 0.1;    ///< [s] until the base begins to obey it
   double angular_deceleration = 3.5;  ///< [rad/s2] of the base when it brakes (Kobuki's driver: an assumption)
@@ -58,6 +60,8 @@ void for_each_guard_parameter(GuardSettingsOrConst& guard, Visit& visit) {
   visit("max_turn", guard.max_turn);
   visit("escape_speed", guard.escape_speed);
   visit("unseen_speed", guard.unseen_speed);
+  visit("override_max", guard.override_max);
+  visit("override_speed", guard.override_speed);
   visit("latency", guard.latency);
   visit("base_reaction", guard.base_reaction);
   visit("angular_deceleration", guard.angular_deceleration);

@@ -90,6 +90,8 @@ class Settings:
     max_turn: float
     escape_speed: float
     unseen_speed: float
+    override_max: float
+    override_speed: float
     latency: float
     base_reaction: float
     angular_deceleration: float

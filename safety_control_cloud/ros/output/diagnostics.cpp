@@ -73,6 +73,7 @@ void Diagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
     status.add("stuck for [s]", ros::SteadyTime::now().toSec() - *decision_.stuck_since);
     status.add("freed by", decision_.hint);
   }
+  if (override_left_ > 0.0) status.add("override for [s]", override_left_);
   status.add("share of returns", share_of_returns(decision_.sight));
   status.add("input rate [Hz]", 1.0 / periods_.quantile(0.5));
   status.add("age of the last cloud [s]",

@@ -31,11 +31,15 @@ class Diagnostics {
   void on_cloud(const Decision& decision, const std_msgs::Header& cloud, double decision_time, double latency);
   void on_quiet(const Decision& decision);
 
+  /// For so long [s] commands pass whatever is seen; 0: no.
+  void note_override(double left) { override_left_ = left; }
+
  private:
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   diagnostic_updater::Updater updater_;
   Decision decision_;
+  double override_left_ = 0.0;
   Durations decision_times_, latencies_, periods_;
   std::optional<ros::SteadyTime> last_arrival_;
   std::optional<std::uint32_t> last_seq_;

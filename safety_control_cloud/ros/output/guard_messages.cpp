@@ -16,7 +16,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double free_ahead = std::numeric_limits<double>::infinity();
 
 Zone zone_of(const Guarded& answer) {
-  if (answer.factor >= 1.0) return Zone::Safe;
+  if (answer.factor >= 1.0 && answer.override_left == 0.0) return Zone::Safe;
   return answer.factor > 0.0 ? Zone::Warning : Zone::Danger;
 }
 
@@ -75,6 +75,7 @@ SafetyState to_state(const Guarded& answer, const Settings& settings, const std_
   state.stuck = answer.stuck;
   if (answer.stuck) state.stuck_since = ros_time_of(answer.stuck_since);
   state.open = answer.open;
+  state.override_left = answer.override_left;
   return state;
 }
 

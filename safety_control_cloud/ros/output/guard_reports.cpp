@@ -31,6 +31,7 @@ void GuardReports::say(const Guarded& answer, const Settings& settings, const st
   state_.publish(state);  // as a pointer, it wakes roscpp's thread only if somebody listens
   say_blocked(answer, settings);
   say_markers(answer, settings);
+  say_override(answer);
   say_in_log(answer);
 }
 
@@ -51,12 +52,20 @@ void GuardReports::say_markers(const Guarded& answer, const Settings& settings) 
   last_markers_ = ros::SteadyTime::now();
 }
 
+void GuardReports::say_override(const Guarded& answer) {
+  const bool overrides = answer.override_left > 0.0;
+  if (overridden_ && !overrides) log_.warn("~override has ended");
+  overridden_ = overrides;
+}
+
 void GuardReports::say_in_log(const Guarded& answer) {
   const bool changed = what_is_given(answer) != what_is_given(logged_) || answer.cause != logged_.cause;
-  const bool again = answer.factor < 1.0 && answer.cause != Cause::NoCommand && seconds_since(last_log_) >= log_period;
+  const bool matters = answer.override_left > 0.0 || (answer.factor < 1.0 && answer.cause != Cause::NoCommand);
+  const bool again = matters && seconds_since(last_log_) >= log_period;
   if (!changed && !again) return;
   const std::string line = words(what_is_given(answer), ": ", name_of(answer.cause), ", ", answer.reason);
-  answer.cause == Cause::Seen || answer.cause == Cause::NoCommand ? log_.info(line) : log_.warn(line);
+  const bool usual = answer.cause == Cause::Seen || answer.cause == Cause::NoCommand;
+  usual && answer.override_left == 0.0 ? log_.info(line) : log_.warn(line);
   logged_ = answer;
   last_log_ = ros::SteadyTime::now();
 }

@@ -24,13 +24,14 @@ class GuardReports {
  private:
   void say_blocked(const Guarded& answer, const Settings& settings);
   void say_markers(const Guarded& answer, const Settings& settings);
+  void say_override(const Guarded& answer);
   void say_in_log(const Guarded& answer);
 
   Log& log_;
   ros::Publisher state_, blocked_, markers_;
   ros::SteadyTime last_log_, last_markers_;
   Guarded logged_, blocked_by_;
-  bool said_blocked_ = false;
+  bool said_blocked_ = false, overridden_ = false;
   std::uint32_t resets_ = 0;
 };
 
