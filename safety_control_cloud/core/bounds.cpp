@@ -45,6 +45,7 @@ constexpr Bound bounds[] = {
     {"hull", corridor},
     {"radius", 3.0},
     {"margin", 1.0},
+    {"command_max_age", 10.0},
     {"command_timeout", 10.0},
     {"min_speed", speed},
     {"max_speed", speed},

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "guard/directions.hpp"
+#include "guard/stamped.hpp"
 #include "look/field_of_view.hpp"
 #include "look/outlook.hpp"
 #include "text/words.hpp"
@@ -99,7 +100,9 @@ void GuardControl::take(const Reading& reading, const Origin& origin, const Inst
   taken_ = Taken{now, on_its_way, eye_of(outlook, seen ? *seen : FieldOfView{})};
 }
 
-void GuardControl::want(const Command& wanted, const Instant& now) {
+void GuardControl::want(const Command& wanted, const Instant& now, std::optional<double> stamp) {
+  const StampLimits limits{settings_.command_max_age, settings_.stamp_tolerance};
+  unwanted_ = stamp ? refusal_of_stamp(*stamp, now.ros, limits) : std::nullopt;
   wanted_ = wanted;
   wanted_at_ = now.steady;
 }
@@ -165,6 +168,7 @@ Allowed GuardControl::allowed_now(const Instant& now, const std::vector<Known>& 
   if (!wanted_) return standing(Cause::NoCommand, "nobody has commanded the robot yet");
   const double age = now.steady - wanted_at_;
   if (age > settings_.command_timeout) return standing(Cause::NoCommand, "no command for " + measured(age, "s"));
+  if (unwanted_) return standing(Cause::BadCommand, *unwanted_);
   if (is_absurd(*wanted_)) return standing(Cause::BadCommand, "the command is no motion that a robot can drive");
   const Twist2 wanted = in_plane(*wanted_);
   Allowed allowed = overrides ? overridden(wanted, sensor, now) : guard_.allowed(wanted, under_way(now), known);

@@ -42,8 +42,8 @@ class GuardControl {
   /// A reading has come, readable or not.
   void see(const Reading& reading, const Origin& origin, const Instant& now, Crop crop = Crop::Skip);
 
-  /// Somebody wants this.
-  void want(const Command& wanted, const Instant& now);
+  /// Somebody wants this; `stamp` [s, ROS]: of a command that has one.
+  void want(const Command& wanted, const Instant& now, std::optional<double> stamp = std::nullopt);
 
   /// The base says where it is.
   void note_odometry(double stamp, const Pose2& pose, const Twist2& twist) { odometry_.note(stamp, pose, twist); }
@@ -95,6 +95,7 @@ class GuardControl {
   bool was_sound_ = false;  ///< nothing but what it cannot see any more speaks against the sensor
   std::optional<Command> wanted_;
   double wanted_at_ = 0.0;  ///< [s, steady]
+  std::optional<std::string> unwanted_;  ///< why what is wanted is not obeyed, by its stamp
   std::optional<Doubt> outside_;
   SightOverride override_;
   Guarded last_;

@@ -43,6 +43,9 @@ void take(const py::handle& given, core::Lists& value, const std::string& name) 
 void take(const py::handle& given, core::Mode& value, const std::string&) {
   take_choice(given, value, core::mode_named, "mode must be 'drive' or 'guard'");
 }
+void take(const py::handle& given, core::CommandType& value, const std::string&) {
+  take_choice(given, value, core::command_type_named, "command_type must be 'twist' or 'twist_stamped'");
+}
 void take(const py::handle& given, core::InputKind& value, const std::string&) {
   take_choice(given, value, core::input_named, "input must be 'cloud' or 'depth'");
 }

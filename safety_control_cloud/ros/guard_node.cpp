@@ -6,6 +6,7 @@
 
 #include "command/leaving.hpp"
 #include "input/inputs.hpp"
+#include "input/wanted.hpp"
 #include "output/guard_messages.hpp"
 #include "time/moments.hpp"
 
@@ -38,11 +39,9 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
   on_quiet();
   override_ = private_handle.advertiseService("override", &GuardNode::on_override, this);
   const auto at_once = ros::TransportHints().tcpNoDelay();
-  wanted_ = handle.subscribe<geometry_msgs::Twist>(
-      "cmd_vel_in", 1,
-      boost::function<void(const geometry_msgs::Twist::ConstPtr&)>(
-          [this](const geometry_msgs::Twist::ConstPtr& wanted) { on_wanted(*wanted); }),
-      nullptr, at_once);
+  wanted_ = subscribe_to_wanted(
+      handle, settings.command_type,
+      [this](const geometry_msgs::Twist& wanted, std::optional<double> stamp) { on_wanted(wanted, stamp); });
   odometry_ = handle.subscribe<nav_msgs::Odometry>(
       "odom", 10,
       boost::function<void(const nav_msgs::Odometry::ConstPtr&)>(
@@ -58,9 +57,9 @@ GuardNode::~GuardNode() {
   let_it_leave();
 }
 
-void GuardNode::on_wanted(const geometry_msgs::Twist& wanted) {
+void GuardNode::on_wanted(const geometry_msgs::Twist& wanted, std::optional<double> stamp) {
   gap_.beat(now(), control_.settings());
-  control_.want(to_command(wanted), now());
+  control_.want(to_command(wanted), now(), stamp);
   publish(answer());
 }
 

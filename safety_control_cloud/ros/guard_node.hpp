@@ -40,7 +40,7 @@ class GuardNode : public Node {
 
  private:
   void on_arrival(const Arrival& arrival);
-  void on_wanted(const geometry_msgs::Twist& wanted);
+  void on_wanted(const geometry_msgs::Twist& wanted, std::optional<double> stamp);
   void on_odometry(const nav_msgs::Odometry& odometry);
   void on_quiet();
   bool on_override(OverrideRequest& wish, OverrideResponse& response);

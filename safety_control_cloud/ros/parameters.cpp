@@ -141,6 +141,9 @@ struct Taking {
   std::optional<std::string> into(Mode& setting) const {
     return into_choice(setting, mode_named, "must be drive or guard");
   }
+  std::optional<std::string> into(CommandType& setting) const {
+    return into_choice(setting, command_type_named, "must be twist or twist_stamped");
+  }
 
  private:
   template <class Choice, class Named>

@@ -11,7 +11,7 @@ from typing import Any, Callable, ContextManager, Iterator, Optional
 
 import rospy
 from camera import TOPIC, Camera
-from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Twist, Vector3
+from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Twist, TwistStamped, Vector3
 from listening import Heard
 from nav_msgs.msg import Odometry
 from robot import GRACE, after, flat
@@ -41,9 +41,9 @@ def bits(command: Twist) -> bytes:
 class Repeated:
     """Publishes what it is given, again and again, from a thread of its own."""
 
-    def __init__(self, topic: str, kind: type, rate: float) -> None:
+    def __init__(self, topic: str, kind: type, rate: float, made_of: Callable[[Any], Any] = lambda message: message) -> None:
         self._publisher = rospy.Publisher(topic, kind, queue_size=1, tcp_nodelay=True)
-        self._period, self._message = 1.0 / rate, None
+        self._period, self._message, self._made_of = 1.0 / rate, None, made_of
         self._ended = threading.Event()
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
@@ -51,7 +51,7 @@ class Repeated:
     def say(self, message: Any) -> None:
         self._message = message
         if message is not None:
-            self._publisher.publish(message)
+            self._publisher.publish(self._made_of(message))
 
     def end(self) -> None:
         self._ended.set()
@@ -62,13 +62,15 @@ class Repeated:
         while not self._ended.wait(self._period):
             message = self._message
             if message is not None:
-                self._publisher.publish(message)
+                self._publisher.publish(self._made_of(message))
 
 
 class Guarded:
-    """`namespace`: "" or as "/robot1"; its frames bear the same prefix."""
+    """`namespace`: "" or as "/robot1"; its frames bear the same prefix. `stamped`: its driver's commands, by `stamp`."""
 
-    def __init__(self, process: Process, view: Optional[View] = None, namespace: str = "", clock: Clock = rospy.Time.now) -> None:
+    def __init__(
+        self, process: Process, view: Optional[View] = None, namespace: str = "", clock: Clock = rospy.Time.now, stamped: bool = False
+    ) -> None:
         self.process, self.namespace = process, namespace
         prefix = namespace.strip("/") + "/" if namespace else ""
         self._transforms = rospy.Publisher("/tf_static", TFMessage, queue_size=10, latch=True)
@@ -76,7 +78,9 @@ class Guarded:
         self.states = Heard(namespace + "/safety_control_cloud/state", SafetyState)
         self.blocked = Heard(namespace + "/safety_control_cloud/blocked", Blocked)
         self.commands = Heard(namespace + "/cmd_vel", Twist)
-        self.driver = Repeated(namespace + "/cmd_vel_in", Twist, 50.0)
+        self.stamp: Clock = rospy.Time.now
+        said = (TwistStamped, 50.0, self.stamped) if stamped else (Twist, 50.0)
+        self.driver = Repeated(namespace + "/cmd_vel_in", *said)
         self.camera = Camera(view or hall(frame=prefix + FRAME), clock, topic=namespace + TOPIC)
 
     def gives(self, fits: Callable[[SafetyState], bool], within: float = SETTLED, lasts: float = 0.3) -> SafetyState:
@@ -99,6 +103,9 @@ class Guarded:
         command_bits = bits(command)
         return self.gives(
             lambda state: state.cause_text == "SEEN" and bits(state.wanted) == bits(state.given) == command_bits, within)
+
+    def stamped(self, command: Twist) -> TwistStamped:
+        return TwistStamped(Header(0, self.stamp(), ""), command)
 
     def last_given(self) -> Twist:
         return self.commands.all()[-1]
@@ -168,7 +175,8 @@ def guarded_robot(
     given = [f"_{name}:={value}" for name, value in {"mode": "guard", **parameters}.items()]
     ours = [f"__ns:={namespace}"] if namespace else []
     with started or node("safety_control_node", *given, *ours, *remappings) as process:
-        robot = Guarded(process, namespace=namespace)
+        stamped = parameters.get("command_type") == "twist_stamped"
+        robot = Guarded(process, namespace=namespace, stamped=stamped)
         try:
             robot.stands("NO_COMMAND", within=20.0)
             yield robot

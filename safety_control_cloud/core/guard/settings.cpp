@@ -38,10 +38,17 @@ const char* name_of(Mode mode) { return mode == Mode::Guard ? "guard" : "drive";
 
 std::optional<Mode> mode_named(const std::string& name) { return choice_named(name, {Mode::Drive, Mode::Guard}); }
 
+const char* name_of(CommandType type) { return type == CommandType::TwistStamped ? "twist_stamped" : "twist"; }
+
+std::optional<CommandType> command_type_named(const std::string& name) {
+  return choice_named(name, {CommandType::Twist, CommandType::TwistStamped});
+}
+
 void check(const GuardSettings& guard, Problems& problems) {
   check_footprint(guard, problems);
   check_boxes(guard, problems);
   problems.require(!guard.base_frame.empty(), "base_frame must not be empty");
+  problems.require(guard.command_max_age > 0.0, "command_max_age must be positive");
   problems.require(guard.command_timeout > 0.0, "command_timeout must be positive");
   problems.require(guard.min_speed >= 0.0, "min_speed must not be negative");
   problems.require(guard.max_speed > 0.0, "max_speed must be positive");

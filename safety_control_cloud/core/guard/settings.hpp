@@ -22,6 +22,15 @@ enum class Mode : std::uint8_t {
 const char* name_of(Mode mode);  ///< "drive" or "guard"
 std::optional<Mode> mode_named(const std::string& name);
 
+/// How somebody's commands come.
+enum class CommandType : std::uint8_t {
+  Twist,
+  TwistStamped,  ///< nothing old is obeyed
+};
+
+const char* name_of(CommandType type);  ///< "twist" or "twist_stamped"
+std::optional<CommandType> command_type_named(const std::string& name);
+
 /// What the guard has to know of the robot, beside what the drive mode knows.
 struct GuardSettings {
   Mode mode = Mode::Drive;
@@ -30,6 +39,8 @@ struct GuardSettings {
   double radius = 0.178;                      ///< [m] of the circle, a Kobuki's; with a footprint it is not asked
   double margin = 0.05;                       ///< [m] kept clear around the footprint
   Lists self_boxes;              ///< [m] x_min, x_max, y_min, y_max, z_min, z_max: parts of the robot a sensor may see
+  CommandType command_type = CommandType::Twist;
+  double command_max_age = 0.3;  ///< [s] since its stamp at which a TwistStamped may still come
   double command_timeout = 0.5;  ///< [s] an older command is none
   double min_speed = 0.01;       ///< [m/s] of the fastest point; a base does not obey what is left below this
   double max_speed = 0.7;        ///< [m/s]
@@ -54,6 +65,8 @@ void for_each_guard_parameter(GuardSettingsOrConst& guard, Visit& visit) {
   visit("radius", guard.radius);
   visit("margin", guard.margin);
   visit("self_boxes", guard.self_boxes);
+  visit("command_type", guard.command_type);
+  visit("command_max_age", guard.command_max_age);
   visit("command_timeout", guard.command_timeout);
   visit("min_speed", guard.min_speed);
   visit("max_speed", guard.max_speed);

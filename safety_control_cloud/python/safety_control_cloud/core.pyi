@@ -84,6 +84,8 @@ class Settings:
     radius: float
     margin: float
     self_boxes: str
+    command_type: str
+    command_max_age: float
     command_timeout: float
     min_speed: float
     max_speed: float

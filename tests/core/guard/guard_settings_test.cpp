@@ -44,6 +44,7 @@ TEST(GuardSettings, EveryContradictionIsNamed) {
       {"self_boxes must be", [](Settings& s) { s.self_boxes.text = "[[1, 2]]"; }},
       {"min less than max", [](Settings& s) { s.self_boxes.text = "[[1, 0, 0, 1, 0, 1]]"; }},
       {"base_frame must not", [](Settings& s) { s.base_frame = ""; }},
+      {"command_max_age must", [](Settings& s) { s.command_max_age = 0.0; }},
       {"command_timeout must", [](Settings& s) { s.command_timeout = 0.0; }},
       {"max_speed must", [](Settings& s) { s.max_speed = 0.0; }},
       {"max_turn must", [](Settings& s) { s.max_turn = 0.0; }},
