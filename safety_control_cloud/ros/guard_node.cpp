@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "command/leaving.hpp"
+#include "input/footprint_message.hpp"
 #include "input/inputs.hpp"
 #include "input/wanted.hpp"
 #include "output/guard_messages.hpp"
@@ -34,7 +36,12 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
       lost_things_(private_handle, lost_things(), [this](const std::string& line) { log_.warn(line); }),
       quiet_(handle, [this] { on_quiet(); }),
       reconfigure_(
-          private_handle, settings, [this](const Settings& changed) { control_.adopt(changed); }, log_),
+          private_handle, settings,
+          [this](Settings changed) {
+            changed.footprint = control_.settings().footprint;  // ~footprint's, where that spoke
+            control_.adopt(changed);
+          },
+          log_),
       diagnostics_(handle, private_handle) {
   on_quiet();
   override_ = private_handle.advertiseService("override", &GuardNode::on_override, this);
@@ -47,6 +54,10 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
       boost::function<void(const nav_msgs::Odometry::ConstPtr&)>(
           [this](const nav_msgs::Odometry::ConstPtr& odometry) { on_odometry(*odometry); }),
       nullptr, at_once);
+  footprint_ = private_handle.subscribe<geometry_msgs::PolygonStamped>(
+      "footprint", 1,
+      boost::function<void(const geometry_msgs::PolygonStamped::ConstPtr&)>(
+          [this](const geometry_msgs::PolygonStamped::ConstPtr& polygon) { on_footprint(*polygon); }));
   input_ = input_of(
       settings.input, handle, private_handle, delivery, [this](const Arrival& arrival) { on_arrival(arrival); },
       [this](const std::string& line) { log_.warn(line); });
@@ -87,6 +98,21 @@ void GuardNode::see(const Arrival& arrival) {
   } catch (const std::exception& problem) {
     control_.see(Unreadable{problem.what()}, origin, now());
   }
+}
+
+/// Whole or not at all. What was collected for another outline is of no use: the robot stands until the next cloud.
+void GuardNode::on_footprint(const geometry_msgs::PolygonStamped& polygon) {
+  Settings changed = control_.settings();
+  try {
+    const Lists corners = footprint_in(polygon, changed.base_frame);
+    if (corners == changed.footprint) return;
+    changed.footprint = corners;
+    control_.adopt(changed);
+  } catch (const std::invalid_argument& problem) {
+    return log_.error(std::string("~footprint: refused, the one before stays: ") + problem.what());
+  }
+  log_.warn("~footprint: from now on " + changed.footprint.text);
+  publish(answer());
 }
 
 void GuardNode::on_odometry(const nav_msgs::Odometry& odometry) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <geometry_msgs/PolygonStamped.h>
 #include <geometry_msgs/Twist.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
@@ -41,6 +42,7 @@ class GuardNode : public Node {
  private:
   void on_arrival(const Arrival& arrival);
   void on_wanted(const geometry_msgs::Twist& wanted, std::optional<double> stamp);
+  void on_footprint(const geometry_msgs::PolygonStamped& polygon);
   void on_odometry(const nav_msgs::Odometry& odometry);
   void on_quiet();
   bool on_override(OverrideRequest& wish, OverrideResponse& response);
@@ -60,7 +62,7 @@ class GuardNode : public Node {
   GuardReports reports_;
   LostThings lost_things_;
   std::unique_ptr<Input> input_;
-  ros::Subscriber wanted_, odometry_;
+  ros::Subscriber wanted_, odometry_, footprint_;
   Wake quiet_;
   ros::ServiceServer override_;
   Reconfigure reconfigure_;
