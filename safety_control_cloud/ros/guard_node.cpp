@@ -70,7 +70,9 @@ GuardNode::~GuardNode() {
 
 void GuardNode::on_wanted(const geometry_msgs::Twist& wanted, std::optional<double> stamp) {
   gap_.beat(now(), control_.settings());
-  control_.want(to_command(wanted), now(), stamp);
+  // What has no stamp, and waited in the socket while the process stood still, is told from nothing.
+  const bool may_be_old = !stamp && gap_.has_gone_on_within(control_.settings().command_timeout, now());
+  if (!may_be_old) control_.want(to_command(wanted), now(), stamp);
   publish(answer());
 }
 

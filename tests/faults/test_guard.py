@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The guard: what somebody commands, and what reaches the base of it."""
 import math
+import signal
+import time
 
 import numpy as np
 import pytest
 import rospy
 from geometry_msgs.msg import Twist
-from guarded import CAMERA_TO_FRONT, guarded_robot, twist
+from guarded import CAMERA_TO_FRONT, bits, guarded_robot, twist
 from listening import Heard
 from robot import after, eventually
 from scenes import HEIGHT, WIDTH, always, cloud_of, hall, points_of, post, wall
@@ -64,6 +66,21 @@ def test_a_round_robot_turns_in_place_beside_a_wall(robot):
 def test_backward_where_nobody_looks_it_creeps(robot):
     robot.driver.say(twist(-0.4))
     assert robot.gives(lambda state: 0 < state.factor < 1).given.linear.x == pytest.approx(-0.1)
+
+
+def test_a_command_that_waited_while_the_node_was_stopped_is_not_obeyed(robot):
+    robot.driver.say(AHEAD)
+    robot.passes(AHEAD)
+    robot.process.send(signal.SIGSTOP)
+    time.sleep(1.0)
+    robot.driver.say(None)
+    time.sleep(1.0)
+    begun = time.monotonic()
+    robot.process.send(signal.SIGCONT)
+    time.sleep(1.5)
+    assert {bits(command) for _, command in after(begun, robot.commands)} == {bits(Twist())}
+    robot.driver.say(AHEAD)
+    robot.passes(AHEAD)
 
 
 DOUBTS = {

@@ -29,4 +29,8 @@ std::optional<Doubt> OwnGap::doubt_about(double stamp, const Instant& now, const
                "the cloud is from before this node went on, which had stood still for " + measured(gap_, "s")};
 }
 
+bool OwnGap::has_gone_on_within(double seconds, const Instant& now) const {
+  return went_on_ && now.steady - went_on_->steady < seconds;
+}
+
 }  // namespace safety_control_cloud

@@ -21,6 +21,9 @@ class OwnGap {
   /// as the limit after that: later the stamps are of another clock. None where no stamp is to be believed.
   std::optional<Doubt> doubt_about(double stamp, const Instant& now, const Settings& settings) const;
 
+  /// Whether the process went on less than so many [s] ago.
+  bool has_gone_on_within(double seconds, const Instant& now) const;
+
  private:
   std::optional<double> last_;  ///< [s] steady
   double gap_ = 0.0;            ///< [s]

@@ -34,5 +34,14 @@ TEST(OwnGap, ACloudFromBeforeTheNodeWentOnIsDoubtedForAShortTime) {
   EXPECT_FALSE(gap.doubt_about(1012.3, {12.6, 1012.6}, limit)) << "by a clock that runs late";
 }
 
+TEST(OwnGap, KnowsForHowLongTheNodeHasGoneOn) {
+  OwnGap gap;
+  gap.beat({10.0, 1010.0}, limit);
+  EXPECT_FALSE(gap.has_gone_on_within(0.2, {10.0, 1010.0})) << "a start is no going on";
+  gap.beat({12.0, 1012.0}, limit);
+  EXPECT_TRUE(gap.has_gone_on_within(0.2, {12.1, 1012.1}));
+  EXPECT_FALSE(gap.has_gone_on_within(0.2, {12.3, 1012.3}));
+}
+
 }  // namespace
 }  // namespace safety_control_cloud
