@@ -29,13 +29,15 @@ def robot(master):
 
 @pytest.fixture(autouse=True)
 def free_hall(request):
-    """Each test begins in a free hall and without a driver."""
+    """Each test begins in a hall that is seen to be free, and without a driver."""
     yield
     if "robot" in request.fixturenames:
         robot = request.getfixturevalue("robot")
         robot.camera.clock = rospy.Time.now
-        robot.driver.say(None)
         robot.camera.show(hall())
+        robot.driver.say(AHEAD)
+        robot.gives(lambda state: state.cause_text == "SEEN" and state.factor == 1.0, lasts=0.2)
+        robot.driver.say(None)
 
 
 ODD = Twist()
