@@ -2,21 +2,14 @@
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
+from patience import eventually
 
 from safety_control_cloud.processes import ProcessError, process
 
 STUBBORN = "import signal, time; signal.signal(signal.SIGINT, signal.SIG_IGN); print('up', flush=True); time.sleep(600)"
-
-
-def eventually(condition):
-    deadline = time.monotonic() + 30.0
-    while not condition():
-        assert time.monotonic() < deadline, "it did not come about within 30 s"
-        time.sleep(0.01)
 
 
 def exists(pid):

@@ -7,7 +7,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 from typing import Any, Dict, List, Sequence
 
@@ -15,6 +14,7 @@ import numpy as np
 import pytest
 from drives import camera, depth, placed, wall, write_drive
 from judge_rows import rows_of
+from patience import eventually
 from recordings import TOPIC, wall_at, write_ros1, write_ros2
 
 SECOND = 10**9
@@ -203,13 +203,3 @@ def children_of(pid: int) -> List[int]:
     """The master and the node; both run in process groups of their own."""
     listing = subprocess.run(["ps", "-o", "pid=", "--ppid", str(pid)], capture_output=True, text=True).stdout
     return [int(child) for child in listing.split()]
-
-
-def eventually(condition: Any) -> Any:
-    deadline = time.monotonic() + 30.0
-    while time.monotonic() < deadline:
-        result = condition()
-        if result:
-            return result
-        time.sleep(0.05)
-    raise AssertionError("it did not come about within 30 s")

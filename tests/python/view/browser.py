@@ -8,7 +8,6 @@ import io
 import json
 import shutil
 import subprocess
-import time
 import urllib.request
 from contextlib import contextmanager
 from pathlib import Path
@@ -16,6 +15,7 @@ from typing import Callable, Iterator
 
 import numpy as np
 from PIL import Image
+from patience import eventually
 from tornado.websocket import websocket_connect  # Dask brings it
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
@@ -34,21 +34,11 @@ def page(address: str, profile: Path) -> Iterator[Page]:
     command = [CHROMIUM, *FLAGS, f"--user-data-dir={profile}", "--remote-debugging-port=0", address]
     running = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
-        socket = eventually(lambda: _socket_of(profile))
+        socket = eventually(lambda: _socket_of(profile), PATIENCE, 0.5)
         yield lambda: asyncio.run(_picture(socket))
     finally:
         running.kill()
         running.wait()
-
-
-def eventually(condition: Callable[[], object], patience: float = PATIENCE):
-    deadline = time.monotonic() + patience
-    while time.monotonic() < deadline:
-        result = condition()
-        if result:
-            return result
-        time.sleep(0.5)
-    raise AssertionError(f"it did not come about within {patience:g} s")
 
 
 def _socket_of(profile: Path) -> str | None:

@@ -6,20 +6,20 @@ import numpy as np
 import pytest
 
 from safety_control_cloud import core
-from safety_control_cloud.view.guarded import OUTLINES, footprint_of, stopping_time, swept, way_of
+from safety_control_cloud.view.guarded import OUTLINES, footprint_of, stopping_time, swept
 
 MOTIONS = [(0.3, 0.0, 0.0), (0.3, 0.0, 0.4), (-0.2, 0.0, -1.0), (0.1, -0.2, 0.3), (0.0, 0.0, 2.0), (0.3, 0.0, 1e-7)]
 
 
 @pytest.mark.parametrize("motion", MOTIONS)
-@pytest.mark.parametrize("time", [0.0, 0.5, 3.0])
-def test_the_way_is_that_of_the_core(motion, time):
-    x, y, heading = way_of(motion, time)
-    ahead = [x + np.cos(heading), y + np.sin(heading)]
+@pytest.mark.parametrize("lasts", [0.0, 0.5, 3.0])
+def test_the_way_is_that_of_the_core(motion, lasts, monkeypatch):
+    monkeypatch.setattr("safety_control_cloud.view.guarded.stopping_time", lambda *_: lasts)
+    settings = core.Settings(mode="guard", footprint="[[0, 0], [1, 0], [0.5, 1]]")
 
-    met = core.moved(np.array([[x, y], ahead]), motion, time)
-
-    assert np.allclose(met, [[0.0, 0.0], [1.0, 0.0]], atol=1e-5)
+    for i, outline in enumerate(swept(settings, motion), 1):
+        met = core.moved(outline[:2, :2].astype(float), motion, lasts * i / OUTLINES)
+        assert np.allclose(met, [[0.0, 0.0], [1.0, 0.0]], atol=1e-5)
 
 
 def test_a_footprint_is_a_circle_with_its_margin_or_its_corners_as_the_node_takes_them():

@@ -7,14 +7,14 @@ import re
 import signal
 import subprocess
 import sys
-import time
 import urllib.request
 from pathlib import Path
-from typing import Any, Callable, Set
+from typing import Any, Set
 
 import numpy as np
 import pytest
 from drives import camera, depth, wall, write_drive
+from patience import eventually
 
 pytest.importorskip("rerun", reason="rerun-sdk is not installed (scripts/setup --with view)")
 
@@ -114,7 +114,7 @@ def test_the_page_shows_the_picture_and_the_plots_in_a_real_browser(driven, tmp_
     serving = subprocess.Popen(command(driven, {}, web, data), env=quiet(os.environ), stdout=subprocess.DEVNULL)
     try:
         with browser.page(address("127.0.0.1", web, data), tmp_path / "profile") as picture:
-            browser.eventually(lambda: what_is_missing(picture()) == [])
+            eventually(lambda: what_is_missing(picture()) == [], browser.PATIENCE, 0.5)
     finally:
         serving.kill()
         serving.wait()
@@ -134,9 +134,9 @@ def test_the_launch_file_serves_a_page_and_what_the_running_node_publishes_anywa
     arrived, web, data = tmp_path / "arrived.rrd", free_port(), free_port()
     arguments = ["host:=localhost", f"port:={web}", f"data_port:={data}"]
     with roscore(), node("safety_control_node"), process(CAMERA), process(["roslaunch", str(LAUNCH), *arguments]) as launched:
-        page = eventually(lambda: page_at(f"http://localhost:{web}/"))
+        page = eventually(lambda: page_at(f"http://localhost:{web}/"), 60.0)
         with process([viewer(), f"rerun+http://localhost:{data}/proxy", "--save", str(arrived)]) as client:
-            eventually(lambda: holds_pictures(arrived))
+            eventually(lambda: holds_pictures(arrived), 60.0)
             client.send(signal.SIGINT)
             client.wait(10.0)
         assert f"http://localhost:{web}" in launched.output()
@@ -150,7 +150,7 @@ def test_a_guarded_robot_is_shown_with_its_footprint_and_what_it_sweeps(tmp_path
     guard = tmp_path / "guard.rrd"
     with roscore(), node("safety_control_node", "_mode:=guard"), process([*CAMERA, "guard"]):
         with node("view_node", "--rrd", str(guard)):
-            eventually(lambda: holds_pictures(guard))
+            eventually(lambda: holds_pictures(guard), 60.0)
 
     shown, said = entities(guard), texts(guard)
     assert shown >= GUARDED | WITH_PICTURE and not shown & {"/world/corridor", "/world/limits", "/speed/safe"}
@@ -159,16 +159,6 @@ def test_a_guarded_robot_is_shown_with_its_footprint_and_what_it_sweeps(tmp_path
 
 def holds_pictures(recording: Path) -> bool:
     return recording.exists() and recording.stat().st_size > 200_000  # [byte]
-
-
-def eventually(condition: Callable[[], Any]) -> Any:
-    deadline = time.monotonic() + 60.0
-    while time.monotonic() < deadline:
-        result = condition()
-        if result:
-            return result
-        time.sleep(0.2)
-    raise AssertionError("it did not come about within 60 s")
 
 
 def page_at(address: str) -> str:

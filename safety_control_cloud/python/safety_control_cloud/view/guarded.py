@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from math import cos, hypot, pi, sin
-from typing import TYPE_CHECKING, List, Tuple
+from typing import TYPE_CHECKING, List
 
 import numpy as np
 
@@ -15,7 +15,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 AROUND, OUTLINES = 36, 6  # corners of a circle; outlines of a swept path
-STRAIGHT = 1e-6  # [rad/s]
 
 
 def footprint_of(settings: core.Settings) -> NDArray[np.float32]:
@@ -35,7 +34,7 @@ def swept(settings: core.Settings, motion: Motion) -> List[NDArray[np.float32]]:
     if not any(motion):
         return []
     whole, lasts = footprint_of(settings), stopping_time(settings, motion)
-    return [_at(whole, way_of(motion, lasts * i / OUTLINES)) for i in range(1, OUTLINES + 1)]
+    return [_moved(whole, motion, lasts * i / OUTLINES) for i in range(1, OUTLINES + 1)]
 
 
 def stopping_time(settings: core.Settings, motion: Motion) -> float:
@@ -44,16 +43,7 @@ def stopping_time(settings: core.Settings, motion: Motion) -> float:
     return settings.latency + settings.base_reaction + 0.5 * braking
 
 
-def way_of(motion: Motion, time: float) -> Tuple[float, float, float]:
-    """Where the robot is and looks after so long: x, y [m], heading [rad]."""
-    vx, vy, w = motion
-    if abs(w) < STRAIGHT:
-        return vx * time, vy * time, 0.0
-    along, across = sin(w * time) / w, (1.0 - cos(w * time)) / w
-    return vx * along - vy * across, vx * across + vy * along, w * time
-
-
-def _at(outline: NDArray[np.float32], way: Tuple[float, float, float]) -> NDArray[np.float32]:
-    x, y, heading = way
-    turn = np.array([[cos(heading), sin(heading), 0.0], [-sin(heading), cos(heading), 0.0], [0.0, 0.0, 1.0]])
-    return (outline @ turn + (x, y, 0.0)).astype(np.float32)
+def _moved(outline: NDArray[np.float32], motion: Motion, time: float) -> NDArray[np.float32]:
+    """The robot moves over the ground as resting ground moves past one that goes the other way."""
+    on_floor = core.moved(outline[:, :2], (-motion[0], -motion[1], -motion[2]), time)
+    return np.column_stack([on_floor, outline[:, 2]]).astype(np.float32)
