@@ -25,4 +25,17 @@ std::optional<Doubt> doubt_about_aim(const View& view, const Outlook& outlook, c
                      std::lround(100.0 * share), " %")};
 }
 
+std::optional<Doubt> doubt_about_plane(const ScanView& scan, const Outlook& outlook, const ZoneLimits& limits) {
+  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    const double bearing = scan.first + share * (scan.last - scan.first);
+    const Point there = outlook.placed(static_cast<float>(limits.danger * std::cos(bearing)),
+                                       static_cast<float>(limits.danger * std::sin(bearing)), 0.0f);
+    if (there.y >= outlook.corridor.y_min && there.y <= outlook.corridor.y_max) continue;
+    return Doubt{Cause::WrongView,
+                 words("the scan's plane, as it is placed, lies at a height of ", measured(-double{there.y}, "m"),
+                       " at ", measured(limits.danger, "m"), " distance, not between bottom and top")};
+  }
+  return std::nullopt;
+}
+
 }  // namespace safety_control_cloud

@@ -2,18 +2,15 @@
 #include "guard_control.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "guard/directions.hpp"
 #include "guard/stamped.hpp"
-#include "look/field_of_view.hpp"
-#include "look/outlook.hpp"
 #include "text/words.hpp"
 
 namespace safety_control_cloud {
 namespace {
-
-constexpr double long_on_its_way = 0.2;  ///< [s] what comes later after its stamp than this may have one that is off
 
 Settings checked(const Settings& settings) {
   const auto problems = problems_in(settings);
@@ -23,81 +20,61 @@ Settings checked(const Settings& settings) {
   return settings;
 }
 
-Law law_of(const Settings& settings) {
-  Law law;
-  law.sensor_period = settings.stopping.sensor_period;
-  law.latency = settings.latency;
-  law.base_reaction = settings.base_reaction;
-  law.linear_deceleration = settings.stopping.base_deceleration;
-  law.angular_deceleration = settings.angular_deceleration;
-  law.obstacle_speed = settings.obstacle_speed;
-  law.escape_speed = settings.escape_speed;
-  law.noise = settings.noise;
-  law.min_points = settings.corridor.min_points;
-  return law;
-}
-
 Following following_of(const Settings& settings) {
   return {settings.latency + settings.base_reaction, settings.stopping.base_deceleration,
           settings.angular_deceleration};
 }
 
-Surroundings surroundings_of(const Settings& settings, const Guard& guard) {
-  const FrameCorridor& band = settings.frame_corridor;
-  return {guard.outline(), {band.bottom, band.top, guard.reach(settings.source_timeout), own_boxes_of(settings)}};
-}
-
-/// Why a sensor that saw until now is lost where it looks, and only there.
-std::optional<Doubt> loss_in(const Answer& answer, std::size_t min_points) {
-  if (const auto* doubt = std::get_if<Doubt>(&answer)) {
-    return doubt->cause == Cause::Blind ? std::optional(*doubt) : std::nullopt;
-  }
-  const auto& [sight, loss] = std::get<Seen>(answer);
-  if (loss) return Doubt{loss->cause, loss->reason};
-  if (sight.too_close > 0 && sight.too_close + sight.inside >= min_points)
-    return Doubt{Cause::Seen, "something is too close to measure"};
-  return std::nullopt;
+std::vector<GuardSensor> sensors_by(const Settings& settings, const Guard& guard) {
+  std::vector<GuardSensor> sensors;
+  for (const SensorSettings& sensor : sensors_of(settings)) sensors.emplace_back(sensor, settings, guard);
+  return sensors;
 }
 
 }  // namespace
 
 GuardControl::GuardControl(const Settings& settings)
     : settings_(checked(settings)),
-      guard_(settings_, law_of(settings_)),
-      sensor_(sensor_settings(settings_)),
-      around_(surroundings_of(settings_, guard_)),
+      guard_(settings_),
+      sensors_(sensors_by(settings_, guard_)),
       given_(following_of(settings_)) {}
 
 void GuardControl::adopt(const Settings& settings) {
-  settings_ = checked(settings);
-  guard_ = Guard(settings_, law_of(settings_));
-  sensor_.adopt(sensor_settings(settings_));
+  const Settings checked_ones = checked(settings);
+  const bool same = sensors_of(checked_ones) == sensors_of(settings_);
+  settings_ = checked_ones;
+  guard_ = Guard(settings_);
+  if (!same) sensors_ = sensors_by(settings_, guard_);
+  for (GuardSensor& sensor : sensors_) sensor.adopt(settings_, guard_);
   given_.follow(following_of(settings_));
-  around_ = surroundings_of(settings_, guard_);
   override_.adopt(settings_);
-  taken_.reset();  // what was collected was collected within other limits
+}
+
+void GuardControl::forget_losses() {
+  for (GuardSensor& sensor : sensors_) sensor.forget_losses();
+}
+
+std::vector<std::string> GuardControl::remembered() const {
+  std::vector<std::string> texts;
+  for (const GuardSensor& sensor : sensors_) texts.push_back(sensor.remembered());
+  return texts;
 }
 
 bool GuardControl::recall(const std::vector<std::string>& remembered) {
-  return remembered.size() == 1 && sensor_.recall(remembered.front());
+  bool legible = remembered.size() == sensors_.size();
+  for (std::size_t i = 0; i < std::min(remembered.size(), sensors_.size()); ++i)
+    legible = sensors_[i].recall(remembered[i]) && legible;
+  return legible;
 }
 
-void GuardControl::see(const Reading& reading, const Origin& origin, const Instant& now, Crop crop) {
-  sensor_.see(reading, origin, now, crop);
-  const Answer& answer = sensor_.answer();
-  if (std::holds_alternative<Seen>(answer)) take(reading, origin, now);
-  if (std::holds_alternative<Seen>(answer)) was_sound_ = true;
+double GuardControl::until_silent(double now) const {
+  double soonest = std::numeric_limits<double>::infinity();
+  for (const GuardSensor& sensor : sensors_) soonest = std::min(soonest, sensor.until_silent(now));
+  return soonest;
 }
 
-void GuardControl::take(const Reading& reading, const Origin& origin, const Instant& now) {
-  const Settings by = sensor_settings(settings_);
-  const Outlook outlook = std::get<Outlook>(outlook_of(by, origin.placing));  // there is one, or nothing were seen
-  const View view = view_in(reading, by);
-  around_.look(view, outlook);
-  const auto field = field_of(view, Sense::Either);
-  const auto* seen = std::get_if<FieldOfView>(&field);
-  const double on_its_way = by.stamp_tolerance > 0.0 ? std::max(0.0, now.ros - origin.stamp) : 0.0;
-  taken_ = Taken{now, on_its_way, eye_of(outlook, seen ? *seen : FieldOfView{})};
+void GuardControl::see(const Reading& reading, const Origin& origin, const Instant& now, std::size_t sensor) {
+  sensors_[sensor].see(reading, origin, now);
 }
 
 void GuardControl::want(const Command& wanted, const Instant& now, std::optional<double> stamp) {
@@ -108,38 +85,28 @@ void GuardControl::want(const Command& wanted, const Instant& now, std::optional
 }
 
 OverrideReply GuardControl::ask_override(const OverrideWish& wish, const Instant& now) {
-  sensor_.wait(now);
   return override_.ask(wish, settings_, doubt_of(known_at(now)), now.steady);
 }
 
-Known GuardControl::known_at(const Instant& now) const {
-  Known known;
-  known.sensor = name_of(settings_.input);
-  if (const auto* doubt = std::get_if<Doubt>(&sensor_.answer())) known.doubt = *doubt;
-  if (auto lost = loss_in(sensor_.answer(), settings_.corridor.min_points); lost && was_sound_) {
-    known.lost = std::move(lost);
-    known.doubt.reset();
+/// One sensor that is not required, and in doubt, is as good as not there.
+std::vector<Known> GuardControl::known_at(const Instant& now) {
+  std::vector<Known> all;
+  last_.doubts.clear();
+  for (GuardSensor& sensor : sensors_) {
+    sensor.wait(now);
+    Known known = sensor.known_at(now, odometry_, given_);
+    const auto doubt = doubt_of(known);
+    if (doubt && !sensor.is_required())
+      last_.doubts.push_back(words(sensor.name(), ": ", name_of(doubt->cause), ", ", doubt->reason));
+    const bool is_absent = known.doubt || (known.lost && known.lost->cause == Cause::Blind);
+    if (is_absent && !sensor.is_required()) continue;
+    if (outside_) known.doubt = outside_;
+    all.push_back(std::move(known));
   }
-  if (outside_) known.doubt = outside_;
-  if (!taken_) {
-    if (!known.doubt) known.doubt = Doubt{Cause::NoCloud, "no cloud has been seen by these settings yet"};
-    return known;
-  }
-  known.around = &around_;
-  known.age = std::max(now.steady - taken_->arrival.steady, now.ros - taken_->arrival.ros) + taken_->time_to_arrive;
-  known.ways = ways_since_look(now);
-  known.eye = taken_->eye;
-  return known;
-}
-
-/// By odometry, where it spans the time; where the stamp may be off, also as if it had been taken when it came.
-std::vector<Pose2> GuardControl::ways_since_look(const Instant& now) const {
-  const double on_its_way = taken_->time_to_arrive;
-  const auto way = odometry_.way_since(taken_->arrival.ros - on_its_way, now.ros);
-  const auto way_since_arrival = odometry_.way_since(taken_->arrival.ros, now.ros);
-  if (!way || !way_since_arrival) return given_.ways_since(taken_->arrival.steady - on_its_way, now.steady);
-  if (on_its_way <= long_on_its_way) return {*way};
-  return {*way, *way_since_arrival};
+  if (!all.empty()) return all;
+  Known none;
+  none.doubt = outside_ ? *outside_ : Doubt{Cause::NoCloud, "no sensor is required, and none to be believed"};
+  return {none};
 }
 
 std::vector<Twist2> GuardControl::under_way(const Instant& now) const {
@@ -148,10 +115,10 @@ std::vector<Twist2> GuardControl::under_way(const Instant& now) const {
   return twists;
 }
 
-/// The cause stays what the sensor is worth, so that nobody takes this for sight.
-Allowed GuardControl::overridden(const Twist2& wanted, const Known& sensor, const Instant& now) const {
+/// The cause stays what the sensors are worth, so that nobody takes this for sight.
+Allowed GuardControl::overridden(const Twist2& wanted, const std::vector<Known>& known, const Instant& now) const {
   Allowed allowed = guard_.at_most(wanted, override_.speed());
-  const auto doubt = doubt_of(sensor);
+  const auto doubt = doubt_of(known);
   if (doubt) allowed.cause = doubt->cause;
   allowed.reason = words("~override, ", measured(override_.left(now.steady), "s"), " left",
                          doubt ? ", in spite of this: " + doubt->reason : "");
@@ -159,28 +126,26 @@ Allowed GuardControl::overridden(const Twist2& wanted, const Known& sensor, cons
 }
 
 Allowed GuardControl::allowed_now(const Instant& now, const std::vector<Known>& known) const {
-  const auto standing = [](Cause cause, std::string reason) {
-    return Allowed{0.0, 0.0, std::nullopt, {}, cause, std::move(reason)};
+  const auto standing = [](Cause cause, std::string reason, std::string sensor = {}) {
+    return Allowed{0.0, 0.0, std::nullopt, std::move(sensor), cause, std::move(reason)};
   };
-  const Known& sensor = known.front();
-  const bool overrides = override_.covers(sensor, now.steady);
-  if (sensor.doubt && !overrides) return standing(sensor.doubt->cause, sensor.doubt->reason);
+  const bool overrides = override_.covers(known, now.steady);
+  for (const Known& one : known)
+    if (one.doubt && !overrides) return standing(one.doubt->cause, one.doubt->reason, outside_ ? "" : one.sensor);
   if (!wanted_) return standing(Cause::NoCommand, "nobody has commanded the robot yet");
   const double age = now.steady - wanted_at_;
   if (age > settings_.command_timeout) return standing(Cause::NoCommand, "no command for " + measured(age, "s"));
   if (unwanted_) return standing(Cause::BadCommand, *unwanted_);
   if (is_absurd(*wanted_)) return standing(Cause::BadCommand, "the command is no motion that a robot can drive");
   const Twist2 wanted = in_plane(*wanted_);
-  Allowed allowed = overrides ? overridden(wanted, sensor, now) : guard_.allowed(wanted, under_way(now), known);
+  Allowed allowed = overrides ? overridden(wanted, known, now) : guard_.allowed(wanted, under_way(now), known);
   const bool dead = fastest_point(guard_.outline(), limited(wanted, allowed.factor)) < settings_.min_speed;
   if (allowed.factor < 1.0 && dead) allowed.factor = 0.0;
   return allowed;
 }
 
 const Guarded& GuardControl::answer(const Instant& now) {
-  sensor_.wait(now);
-  if (std::holds_alternative<Doubt>(sensor_.answer()) && !loss_in(sensor_.answer(), 1)) was_sound_ = false;
-  const std::vector<Known> known{known_at(now)};
+  const std::vector<Known> known = known_at(now);
   Allowed allowed = allowed_now(now, known);
   const bool was_stuck = last_.stuck;
   const bool meant = wanted_ && allowed.cause != Cause::NoCommand && allowed.cause != Cause::BadCommand;
@@ -193,12 +158,18 @@ const Guarded& GuardControl::answer(const Instant& now) {
   last_.cause = allowed.cause;
   last_.reason = allowed.reason.empty() ? "the command is safe" : std::move(allowed.reason);
   last_.override_left = override_.left(now.steady);
-  last_.sight = sensor_.counted();
+  last_.sight = sight_of(last_.sensor);
   last_.stuck = meant && allowed.factor == 0.0 && !stands(in_plane(*wanted_));
   if (last_.stuck && !was_stuck) last_.stuck_since = now.steady;
   given_.note(in_plane(last_.given), now.steady);
   last_.open = last_.stuck ? open_directions(now, known) : std::uint8_t{0};
   return last_;
+}
+
+const Sight& GuardControl::sight_of(const std::string& sensor) const {
+  const auto decided = [&](const GuardSensor& one) { return one.name() == sensor; };
+  const auto found = std::find_if(sensors_.begin(), sensors_.end(), decided);
+  return (found == sensors_.end() ? sensors_.front() : *found).counted();
 }
 
 std::uint8_t GuardControl::open_directions(const Instant& now, const std::vector<Known>& known) const {

@@ -11,7 +11,7 @@
 #include "guard/guard.hpp"
 #include "guard/odometry.hpp"
 #include "guard/override.hpp"
-#include "sensor.hpp"
+#include "guard_sensor.hpp"
 #include "settings.hpp"
 
 namespace safety_control_cloud {
@@ -25,11 +25,12 @@ struct Guarded {
   std::string sensor;            ///< that decided; empty: none did
   Cause cause = Cause::NoCloud;
   std::string reason;
-  bool stuck = false;        ///< something is wanted and nothing is given
-  double stuck_since = 0.0;  ///< [s, steady] if it is
-  std::uint8_t open = 0;     ///< while it is: bits of the directions in which it may move (guard/directions.hpp)
-  double override_left = 0.0;  ///< [s] for which what is seen is not asked; 0: it is
-  Sight sight;               ///< what the latest reading held
+  bool stuck = false;               ///< something is wanted and nothing is given
+  double stuck_since = 0.0;         ///< [s, steady] if it is
+  std::uint8_t open = 0;            ///< while it is: bits of the directions in which it may move (guard/directions.hpp)
+  double override_left = 0.0;       ///< [s] for which what is seen is not asked; 0: it is
+  Sight sight;                      ///< what the latest reading held: of the sensor that decided, or of the first
+  std::vector<std::string> doubts;  ///< what speaks against a sensor that is not required, its name first
 };
 
 /// The guard: what sensors see, what the base is told and does, what somebody wants; and of that, what is safe. Needs
@@ -39,8 +40,8 @@ class GuardControl {
   /// Throws std::invalid_argument with all problems_in(settings), if there are any.
   explicit GuardControl(const Settings& settings);
 
-  /// A reading has come, readable or not.
-  void see(const Reading& reading, const Origin& origin, const Instant& now, Crop crop = Crop::Skip);
+  /// A reading of one of sensors_of(settings) has come, readable or not.
+  void see(const Reading& reading, const Origin& origin, const Instant& now, std::size_t sensor = 0);
 
   /// Somebody wants this; `stamp` [s, ROS]: of a command that has one.
   void want(const Command& wanted, const Instant& now, std::optional<double> stamp = std::nullopt);
@@ -51,6 +52,9 @@ class GuardControl {
   /// What is in doubt outside of the sensors. From the next answer on the robot stands for it, until there is none.
   void note_outside(std::optional<Doubt> doubt) { outside_ = std::move(doubt); }
 
+  /// What speaks against a sensor that its readings do not tell, until there is none.
+  void note_about(std::size_t sensor, std::optional<Doubt> doubt) { sensors_[sensor].note_outside(std::move(doubt)); }
+
   /// Somebody asks that for a while nobody asks what is seen.
   OverrideReply ask_override(const OverrideWish& wish, const Instant& now);
 
@@ -60,41 +64,34 @@ class GuardControl {
   /// Goes on with other settings; throws like the constructor and then keeps the old ones.
   void adopt(const Settings& settings);
 
-  void forget_losses() { sensor_.forget_losses(); }
-  std::vector<std::string> remembered() const { return {sensor_.remembered()}; }
+  void forget_losses();
+
+  /// What each sensor remembers, in their order.
+  std::vector<std::string> remembered() const;
 
   /// Goes on with what another process remembered; false if it is not legible.
   bool recall(const std::vector<std::string>& remembered);
 
+  /// [s] until the next sensor counts as silent; infinite if none will.
+  double until_silent(double now) const;
 
   const Settings& settings() const { return settings_; }
 
  private:
-  /// Of the latest reading that was believed.
-  struct Taken {
-    Instant arrival;
-    double time_to_arrive;  ///< [s] since its stamp, as far as that is believed
-    Eye eye;
-  };
-
-  void take(const Reading& reading, const Origin& origin, const Instant& now);
-  Known known_at(const Instant& now) const;
-  std::vector<Pose2> ways_since_look(const Instant& now) const;
+  std::vector<Known> known_at(const Instant& now);
   std::vector<Twist2> under_way(const Instant& now) const;
-  Allowed overridden(const Twist2& wanted, const Known& sensor, const Instant& now) const;
+  Allowed overridden(const Twist2& wanted, const std::vector<Known>& known, const Instant& now) const;
   Allowed allowed_now(const Instant& now, const std::vector<Known>& known) const;
+  const Sight& sight_of(const std::string& sensor) const;
   std::uint8_t open_directions(const Instant& now, const std::vector<Known>& known) const;
 
   Settings settings_;
   Guard guard_;
-  Sensor sensor_;
-  Surroundings around_;
+  std::vector<GuardSensor> sensors_;
   Odometry odometry_;
   Given given_;
-  std::optional<Taken> taken_;
-  bool was_sound_ = false;  ///< nothing but what it cannot see any more speaks against the sensor
   std::optional<Command> wanted_;
-  double wanted_at_ = 0.0;  ///< [s, steady]
+  double wanted_at_ = 0.0;               ///< [s, steady]
   std::optional<std::string> unwanted_;  ///< why what is wanted is not obeyed, by its stamp
   std::optional<Doubt> outside_;
   SightOverride override_;

@@ -73,15 +73,19 @@ Answer Sensor::answer_to(const Reading& reading, const Origin& origin, const Ins
   if (auto doubt = stamps_.note(now.ros - origin.stamp, now.steady, settings_)) return *std::move(doubt);
   const auto outlook = outlook_of(settings_, origin.placing);
   if (const auto* missing = std::get_if<NoTransform>(&outlook)) return Doubt{Cause::NoTransform, missing->reason};
-  return look_at(view_in(reading, settings_), std::get<Outlook>(outlook), origin, now.steady, crop);
+  return look_at(reading, std::get<Outlook>(outlook), origin, now.steady, crop);
 }
 
-Answer Sensor::look_at(const View& view, const Outlook& outlook, const Origin& origin, double now, Crop crop) {
+Answer Sensor::look_at(const Reading& reading, const Outlook& outlook, const Origin& origin, double now, Crop crop) {
+  const View view = view_in(reading, settings_);
   const auto look_by = settings_.method == Method::Pcl ? passthrough : look;
   counted_ = look_by(view, outlook, crop, near_loss_.rows_for(view));
   if (auto doubt = turns_.note(picture_of(counted_, origin), now, settings_.source_timeout)) return *std::move(doubt);
   if (auto doubt = blind_.note(returned_in(view, counted_), settings_, now)) return *std::move(doubt);
-  if (auto doubt = doubt_about_aim(view, outlook, settings_.limits)) return *std::move(doubt);
+  const auto* scan = std::get_if<ScanView>(&reading);
+  if (auto doubt =
+          scan ? doubt_about_plane(*scan, outlook, settings_.limits) : doubt_about_aim(view, outlook, settings_.limits))
+    return *std::move(doubt);
   if (auto doubt = frozen_.note(view, origin.stamp, settings_.frozen_clouds)) return *std::move(doubt);
   auto loss = near_loss_.judge(view, counted_, outlook, now);
   recalled_ = recalled_ && loss;

@@ -80,7 +80,7 @@ class Sensor {
 
  private:
   Answer answer_to(const Reading& reading, const Origin& origin, const Instant& now, Crop crop);
-  Answer look_at(const View& view, const Outlook& outlook, const Origin& origin, double now, Crop crop);
+  Answer look_at(const Reading& reading, const Outlook& outlook, const Origin& origin, double now, Crop crop);
 
   Settings settings_;
   SourceWatch sources_;

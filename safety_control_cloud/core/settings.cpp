@@ -7,7 +7,6 @@
 
 #include "bounds.hpp"
 #include "speed/stopping.hpp"
-#include "text/choice.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -39,48 +38,47 @@ void check_guard(const Settings& settings, Problems& problems) {
                    "in mode guard the footprint says what left and right say in mode drive");
 }
 
+/// Without what is no matter of the settings: what a scan is looked by.
+Settings looked_by(Settings settings) {
+  settings.input = InputKind::Cloud;
+  return sensor_settings(settings);
+}
+
+/// What of a sensor is unfit only by what is its own.
+void check_own(const Settings& settings, const SensorSettings& sensor, Problems& problems) {
+  const std::size_t of_all = problems.sentences.size();
+  for (const std::string& problem : problems_in(own_settings(settings, sensor))) {
+    const auto end = problems.sentences.begin() + static_cast<std::ptrdiff_t>(of_all);
+    const bool said = std::find(problems.sentences.begin(), end, problem) != end;
+    problems.require(said, "sensors, " + sensor.name + ": " + problem);
+  }
+}
+
 /// What one room cannot see.
 void check_together(const Settings& settings, Problems& problems) {
   problems.require(settings.limits.danger > settings.corridor.range_min, "danger_distance must be more than range_min");
+  problems.require(settings.mode == Mode::Guard || settings.sensors.empty(), "sensors are of mode guard");
+  problems.require(settings.mode == Mode::Guard || settings.input != InputKind::Scan,
+                   "input scan is of mode guard: the drive mode looks ahead with a camera");
   problems.require(settings.publish_rate >= 1.0 && settings.publish_rate <= 1000.0,
                    "publish_rate must lie between 1 and 1000");
 }
 
 }  // namespace
 
-const char* name_of(InputKind input) { return input == InputKind::Depth ? "depth" : "cloud"; }
-
-std::optional<InputKind> input_named(const std::string& name) {
-  return choice_named(name, {InputKind::Cloud, InputKind::Depth});
-}
-
 std::vector<std::string> problems_in(const Settings& settings) {
   Problems problems{not_finite(settings)};
   const bool guards = settings.mode == Mode::Guard;
   if (guards) check_guard(settings, problems);
-  check(static_cast<const LookSettings&>(guards ? sensor_settings(settings) : settings), problems);
+  check(static_cast<const LookSettings&>(guards ? looked_by(settings) : settings), problems);
   check(static_cast<const DoubtSettings&>(settings), problems);
   check(static_cast<const MemorySettings&>(settings), problems);
   check(static_cast<const SpeedSettings&>(settings), problems);
   check(static_cast<const GuardSettings&>(settings), problems);
   check_together(settings, problems);
   check_bounds(settings, problems);
+  for (const SensorSettings& sensor : settings.sensors) check_own(settings, sensor, problems);
   return problems.sentences;
-}
-
-Settings sensor_settings(const Settings& settings) {
-  Settings sensor = settings;
-  const Footprint footprint = footprint_of(settings);
-  double front = footprint.radius, left = front, right = front;
-  for (const Point2& corner : footprint.polygon) {
-    front = std::max(front, corner.x);
-    left = std::max(left, corner.y), right = std::max(right, -corner.y);
-  }
-  sensor.target_frame = settings.base_frame;
-  sensor.frame_corridor.left = left + footprint.margin;
-  sensor.frame_corridor.right = right + footprint.margin;
-  sensor.limits = {front + settings.limits.warning, front + settings.limits.danger};
-  return sensor;
 }
 
 std::vector<std::string> doubts_about(const Settings& settings) {

@@ -8,20 +8,12 @@
 
 #include "doubt/settings.hpp"
 #include "guard/settings.hpp"
+#include "input/kind.hpp"
 #include "look/settings.hpp"
 #include "memory/settings.hpp"
 #include "speed/settings.hpp"
 
 namespace safety_control_cloud {
-
-/// What the camera sends: from the same picture, both give the same Sight.
-enum class InputKind : std::uint8_t {
-  Cloud,  ///< points
-  Depth,  ///< depth images
-};
-
-const char* name_of(InputKind input);  ///< "cloud" or "depth"
-std::optional<InputKind> input_named(const std::string& name);
 
 /// Every parameter with its default: the sum of what the rooms of the core need, and what the node itself does. Nowhere
 /// else stands a default.
@@ -31,8 +23,8 @@ struct Settings : LookSettings, DoubtSettings, MemorySettings, SpeedSettings, Gu
 };
 
 /// Calls visit(name, value) for every parameter, with the name it has in ROS, in YAML and in Python.
-/// `settings` may be const; `visit` must take float, double, std::size_t, std::string, Lists, MinusInf, Method,
-/// InputKind, Mode and CommandType.
+/// `settings` may be const; `visit` must take bool, float, double, std::size_t, std::string, Lists, Sensors, MinusInf,
+/// Method, InputKind, Mode and CommandType.
 template <class SettingsOrConst, class Visit>
 void for_each_parameter(SettingsOrConst& settings, Visit visit) {
   for_each_look_parameter(settings, visit);
@@ -47,8 +39,15 @@ void for_each_parameter(SettingsOrConst& settings, Visit visit) {
 /// Everything that makes these settings unfit to drive with, a sentence each; empty if they are fit.
 std::vector<std::string> problems_in(const Settings& settings);
 
-/// The settings that a sensor of the guard looks by: down a corridor in base_frame, as wide as the robot.
-Settings sensor_settings(const Settings& settings);
+/// The guard's sensors: those of the list, or the one of `input`, which has no topic of its own.
+Sensors sensors_of(const Settings& settings);
+
+/// The settings with what is this sensor's own.
+Settings own_settings(const Settings& settings, const SensorSettings& sensor);
+
+/// Of own_settings() those that the sensor looks by: down a corridor as wide as the robot that leads, in base_frame,
+/// into the direction [rad] in which it looks.
+Settings sensor_settings(const Settings& own, double facing = 0.0);
 
 /// What is fit but unwise: distances in which the robot could not stop.
 std::vector<std::string> doubts_about(const Settings& settings);

@@ -19,6 +19,20 @@ py::object object_of(const Value& value) {
 
 py::object object_of(const core::Lists& lists) { return py::str(lists.text); }
 
+py::object object_of(const core::Sensors& sensors) {
+  py::list list;
+  for (const core::SensorSettings& sensor : sensors) {
+    py::dict entry;
+    entry["name"] = sensor.name;
+    entry["type"] = core::name_of(sensor.type);
+    entry["topic"] = sensor.topic;
+    entry["required"] = sensor.required;
+    for (const auto& [name, value] : sensor.own) entry[name.c_str()] = value;
+    list.append(entry);
+  }
+  return list;
+}
+
 template <class Choice, class Named>
 void take_choice(const py::handle& given, Choice& value, Named named, const char* otherwise) {
   const auto choice = py::isinstance<py::str>(given) ? named(given.cast<std::string>()) : std::nullopt;
@@ -28,6 +42,7 @@ void take_choice(const py::handle& given, Choice& value, Named named, const char
 
 template <class Value>
 const char* kind_of(const Value&) {
+  if constexpr (std::is_same_v<Value, bool>) return "True or False";
   return std::is_same_v<Value, std::string> ? "a name" : std::is_integral_v<Value> ? "a whole number" : "a number";
 }
 
@@ -47,13 +62,40 @@ void take(const py::handle& given, core::CommandType& value, const std::string&)
   take_choice(given, value, core::command_type_named, "command_type must be 'twist' or 'twist_stamped'");
 }
 void take(const py::handle& given, core::InputKind& value, const std::string&) {
-  take_choice(given, value, core::input_named, "input must be 'cloud' or 'depth'");
+  take_choice(given, value, core::input_named, "input must be 'cloud', 'depth' or 'scan'");
 }
 void take(const py::handle& given, core::MinusInf& value, const std::string&) {
   take_choice(given, value, core::minus_inf_named, "depth_minus_inf must be 'too_close' or 'nothing'");
 }
 void take(const py::handle& given, core::Method& value, const std::string&) {
   take_choice(given, value, core::method_named, "method must be 'one_pass' or 'pcl'");
+}
+
+core::SensorSettings sensor_in(const py::handle& given) {
+  core::SensorSettings sensor;
+  if (!py::isinstance<py::dict>(given)) throw py::type_error("each of sensors must be a dict");
+  for (const auto& [key, value] : given.cast<py::dict>()) {
+    const std::string name = key.cast<std::string>();
+    if (name == "name") {
+      take(value, sensor.name, name);
+    } else if (name == "type") {
+      take(value, sensor.type, name);
+    } else if (name == "topic") {
+      take(value, sensor.topic, name);
+    } else if (name == "required") {
+      take(value, sensor.required, name);
+    } else {
+      take(value, sensor.own[name], name);
+    }
+  }
+  return sensor;
+}
+
+void take(const py::handle& given, core::Sensors& value, const std::string& name) {
+  if (!py::isinstance<py::sequence>(given) || py::isinstance<py::str>(given))
+    throw py::type_error(name + " must be a list of sensors");
+  value.clear();
+  for (const py::handle sensor : given) value.push_back(sensor_in(sensor));
 }
 
 py::error_already_set no_parameter(const std::string& name) {

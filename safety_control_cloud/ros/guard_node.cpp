@@ -7,7 +7,6 @@
 
 #include "command/leaving.hpp"
 #include "input/footprint_message.hpp"
-#include "input/inputs.hpp"
 #include "input/wanted.hpp"
 #include "output/guard_messages.hpp"
 #include "time/moments.hpp"
@@ -24,16 +23,31 @@ Pose2 to_pose(const geometry_msgs::Pose& pose) {
   return {{pose.position.x, pose.position.y}, heading};
 }
 
+std::vector<std::string> names_of(const Sensors& sensors) {
+  std::vector<std::string> names;
+  for (const SensorSettings& sensor : sensors) names.push_back(sensor.name);
+  return names.empty() ? std::vector<std::string>{""} : names;
+}
+
+std::vector<std::unique_ptr<Channel>> channels_of(const Settings& settings, const ros::NodeHandle& handle,
+                                                  const ros::NodeHandle& private_handle) {
+  std::vector<std::unique_ptr<Channel>> channels;
+  for (const SensorSettings& sensor : sensors_of(settings))
+    channels.push_back(std::make_unique<Channel>(sensor, handle, private_handle));
+  return channels;
+}
+
 }  // namespace
 
 GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Delivery delivery,
                      const Settings& settings)
     : control_(settings),
-      awaited_(wanted_by(settings.input, handle, private_handle)),
+      channels_(channels_of(settings, handle, private_handle)),
       commands_(handle, "cmd_vel", [this] { on_quiet(); }),
       base_(settings.base_frame),
       reports_(private_handle, log_),
-      lost_things_(private_handle, lost_things(), [this](const std::string& line) { log_.warn(line); }),
+      lost_things_(private_handle, LostThings::of(control_, reports_),
+                   [this](const std::string& line) { log_.warn(line); }),
       quiet_(handle, [this] { on_quiet(); }),
       reconfigure_(
           private_handle, settings,
@@ -42,7 +56,7 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
             control_.adopt(changed);
           },
           log_),
-      diagnostics_(handle, private_handle) {
+      diagnostics_(handle, private_handle, names_of(settings.sensors)) {
   on_quiet();
   override_ = private_handle.advertiseService("override", &GuardNode::on_override, this);
   const auto at_once = ros::TransportHints().tcpNoDelay();
@@ -58,9 +72,11 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
       "footprint", 1,
       boost::function<void(const geometry_msgs::PolygonStamped::ConstPtr&)>(
           [this](const geometry_msgs::PolygonStamped::ConstPtr& polygon) { on_footprint(*polygon); }));
-  input_ = input_of(
-      settings.input, handle, private_handle, delivery, [this](const Arrival& arrival) { on_arrival(arrival); },
-      [this](const std::string& line) { log_.warn(line); });
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    channels_[i]->open(
+        handle, private_handle, delivery, [this, i](const Arrival& arrival) { on_arrival(i, arrival); },
+        [this](const std::string& line) { log_.info(line); }, [this](const std::string& line) { log_.warn(line); });
+  }
 }
 
 GuardNode::~GuardNode() {
@@ -76,29 +92,28 @@ void GuardNode::on_wanted(const geometry_msgs::Twist& wanted, std::optional<doub
   publish(answer());
 }
 
-void GuardNode::on_arrival(const Arrival& arrival) {
-  if (last_cloud_.isZero()) log_.info(std::string(input_->what()) + " arrived");
-  awaited_.has_come();
+void GuardNode::on_arrival(std::size_t sensor, const Arrival& arrival) {
   gap_.beat(now(), control_.settings());
-  last_cloud_ = ros::SteadyTime::now();
+  const ros::SteadyTime came = ros::SteadyTime::now();
   header_ = arrival.header;
-  about_cloud_ = gap_.doubt_about(arrival.header.stamp.toSec(), now(), control_.settings());
-  see(arrival);
-  const Guarded decided = answer();
-  const double decision_time = seconds_since(last_cloud_), latency = age_of(header_);
+  see(sensor, arrival);
+  const Guarded& decided = answer();
+  const double decision_time = seconds_since(came), latency = age_of(header_);
   const bool changes = !same_bits(to_twist(decided.given), said_) || decided.cause != said_cause_;
+  diagnostics_.on_cloud(to_decision(decided), header_, decision_time, latency, sensor);
   if (changes) publish(decided);
-  diagnostics_.on_cloud(to_decision(decided), header_, decision_time, latency);
 }
 
 /// The one border where an exception becomes a doubt: whatever went wrong, the robot stands.
-void GuardNode::see(const Arrival& arrival) {
-  Origin origin{arrival.header.stamp.toSec(), OpticalFrame{}, arrival.source, arrival.header.frame_id};
+void GuardNode::see(std::size_t sensor, const Arrival& arrival) {
+  const double stamp = arrival.header.stamp.toSec();
+  Origin origin{stamp, OpticalFrame{}, arrival.source, arrival.header.frame_id};
+  control_.note_about(sensor, gap_.doubt_about(stamp, now(), control_.settings()));
   try {
     origin.placing = base_.at(arrival.header);
-    control_.see(arrival.reading, origin, now());
+    control_.see(arrival.reading, origin, now(), sensor);
   } catch (const std::exception& problem) {
-    control_.see(Unreadable{problem.what()}, origin, now());
+    control_.see(Unreadable{problem.what()}, origin, now(), sensor);
   }
 }
 
@@ -131,7 +146,7 @@ void GuardNode::on_odometry(const nav_msgs::Odometry& odometry) {
 
 void GuardNode::on_quiet() {
   gap_.beat(now(), control_.settings());
-  const Guarded decided = answer();
+  const Guarded& decided = answer();
   publish(decided);
   diagnostics_.on_quiet(to_decision(decided));
 }
@@ -145,33 +160,19 @@ bool GuardNode::on_override(OverrideRequest& wish, OverrideResponse& response) {
   return true;
 }
 
-/// Why the robot stands whatever is wanted and seen.
-std::optional<Doubt> GuardNode::outside() const {
-  if (last_cloud_.isZero()) return lost_things_.nothing_seen();
-  return about_cloud_;
-}
-
-Guarded GuardNode::answer() {
-  const auto commanders = commands_.doubt();
-  control_.note_outside(commanders ? commanders : outside());
-  Guarded answer = control_.answer(now());
-  if (answer.cause == Cause::NoCloud) answer.reason += "; " + awaited_.why();
+const Guarded& GuardNode::answer() {
+  control_.note_outside(commands_.doubt());
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    if (!channels_[i]->has_sent()) control_.note_about(i, lost_things_.nothing_seen(channels_[i]->why_nothing_came()));
+  }
+  const Guarded& answer = control_.answer(now());
   diagnostics_.note_override(answer.override_left);
   return answer;
 }
 
-LostThings::Control GuardNode::lost_things() {
-  return {[this](const std::vector<std::string>& texts) { return control_.recall(texts); },
-          [this] { return control_.remembered(); },
-          [this] {
-            control_.forget_losses();
-            reports_.count_reset();
-          }};
-}
-
-/// The next answer is due after a period, or once the camera counts as silent or an override ends, if that is sooner.
+/// The next answer is due after a period, or once a sensor counts as silent or an override ends, if that is sooner.
 void GuardNode::publish(const Guarded& answer) {
-  const double until_silent = control_.settings().source_timeout - seconds_since(last_cloud_);
+  const double until_silent = control_.until_silent(now().steady);
   double due = period();
   for (const double change : {until_silent, answer.override_left})
     if (change > 0.0) due = std::min(due, change);

@@ -10,13 +10,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "../core/guard_control.hpp"
 #include "command/commands.hpp"
 #include "input/arrival.hpp"
-#include "input/awaited.hpp"
 #include "input/camera_place.hpp"
-#include "input/input.hpp"
+#include "input/channel.hpp"
 #include "input/own_gap.hpp"
 #include "memory/lost_things.hpp"
 #include "node.hpp"
@@ -40,37 +40,32 @@ class GuardNode : public Node {
   void end() override { commands_.end(); }
 
  private:
-  void on_arrival(const Arrival& arrival);
+  void on_arrival(std::size_t sensor, const Arrival& arrival);
   void on_wanted(const geometry_msgs::Twist& wanted, std::optional<double> stamp);
   void on_footprint(const geometry_msgs::PolygonStamped& polygon);
   void on_odometry(const nav_msgs::Odometry& odometry);
   void on_quiet();
   bool on_override(OverrideRequest& wish, OverrideResponse& response);
 
-  LostThings::Control lost_things();
-  void see(const Arrival& arrival);
-  std::optional<Doubt> outside() const;
-  Guarded answer();
+  void see(std::size_t sensor, const Arrival& arrival);
+  const Guarded& answer();
   void publish(const Guarded& answer);
   double period() const;
 
   Log log_;
   GuardControl control_;
-  Awaited awaited_;
+  std::vector<std::unique_ptr<Channel>> channels_;  ///< in the order of the control's sensors
   Commands commands_;
   CameraPlace base_;  ///< whose frame the camera is placed in
   GuardReports reports_;
   LostThings lost_things_;
-  std::unique_ptr<Input> input_;
   ros::Subscriber wanted_, odometry_, footprint_;
   Wake quiet_;
   ros::ServiceServer override_;
   Reconfigure reconfigure_;
   Diagnostics diagnostics_;
   OwnGap gap_;
-  ros::SteadyTime last_cloud_;
-  std_msgs::Header header_;
-  std::optional<Doubt> about_cloud_;  ///< the latest, whatever it shows
+  std_msgs::Header header_;  ///< of the latest that came
   geometry_msgs::Twist said_;
   Cause said_cause_ = Cause::NoCloud;
   bool warned_of_frame_ = false;

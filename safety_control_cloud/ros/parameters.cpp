@@ -4,11 +4,9 @@
 #include <XmlRpcValue.h>
 
 #include <algorithm>
-#include <iomanip>
-#include <locale>
 #include <numeric>
-#include <optional>
-#include <sstream>
+
+#include "taking.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -63,99 +61,6 @@ std::vector<std::string> given_names(const ros::NodeHandle& private_handle) {
   }
   return given;
 }
-
-std::optional<double> number_in(XmlRpcValue value) {
-  if (value.getType() == XmlRpcValue::TypeInt) return static_cast<int&>(value);
-  if (value.getType() == XmlRpcValue::TypeDouble) return static_cast<double&>(value);
-  return std::nullopt;
-}
-
-/// Lists of numbers, whatever their depth, as people write them.
-std::optional<std::string> text_of(XmlRpcValue value) {
-  if (const auto number = number_in(value)) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << std::setprecision(17) << *number;
-    return text.str();
-  }
-  if (value.getType() != XmlRpcValue::TypeArray) return std::nullopt;
-  std::string text;
-  for (int i = 0; i < value.size(); ++i) {
-    const auto item = text_of(value[i]);
-    if (!item) return std::nullopt;
-    text += (i == 0 ? "" : ", ") + *item;
-  }
-  return "[" + text + "]";
-}
-
-/// Takes one ROS parameter into one setting, or says what is wrong with it.
-struct Taking {
-  XmlRpcValue given;
-
-  std::optional<std::string> into(double& setting) const {
-    const auto number = number_in(given);
-    if (!number) return "must be a number";
-    setting = *number;
-    return std::nullopt;
-  }
-
-  std::optional<std::string> into(float& setting) const {
-    double wide = 0.0;
-    if (const auto problem = into(wide)) return problem;
-    setting = static_cast<float>(wide);
-    return std::nullopt;
-  }
-
-  std::optional<std::string> into(std::size_t& setting) const {
-    XmlRpcValue value = given;
-    if (value.getType() != XmlRpcValue::TypeInt) return "must be a whole number";
-    if (static_cast<int&>(value) < 0) return "must not be negative";
-    setting = static_cast<std::size_t>(static_cast<int&>(value));
-    return std::nullopt;
-  }
-
-  std::optional<std::string> into(std::string& setting) const {
-    XmlRpcValue value = given;
-    if (value.getType() != XmlRpcValue::TypeString) return "must be a name";
-    setting = static_cast<std::string&>(value);
-    return std::nullopt;
-  }
-
-  /// Lists of numbers, as YAML has them, or as a text of the same form.
-  std::optional<std::string> into(Lists& setting) const {
-    const auto text = given.getType() == XmlRpcValue::TypeArray ? text_of(given) : std::nullopt;
-    if (text) setting.text = *text;
-    if (text || !into(setting.text)) return std::nullopt;
-    return "must be a list of lists of numbers";
-  }
-
-  std::optional<std::string> into(Method& setting) const {
-    return into_choice(setting, method_named, "must be one_pass or pcl");
-  }
-  std::optional<std::string> into(MinusInf& setting) const {
-    return into_choice(setting, minus_inf_named, "must be too_close or nothing");
-  }
-  std::optional<std::string> into(InputKind& setting) const {
-    return into_choice(setting, input_named, "must be cloud or depth");
-  }
-  std::optional<std::string> into(Mode& setting) const {
-    return into_choice(setting, mode_named, "must be drive or guard");
-  }
-  std::optional<std::string> into(CommandType& setting) const {
-    return into_choice(setting, command_type_named, "must be twist or twist_stamped");
-  }
-
- private:
-  template <class Choice, class Named>
-  std::optional<std::string> into_choice(Choice& setting, Named named, const char* otherwise) const {
-    std::string name;
-    const bool is_name = !into(name);
-    const auto choice = is_name ? named(name) : std::nullopt;
-    if (!choice) return otherwise;
-    setting = *choice;
-    return std::nullopt;
-  }
-};
 
 }  // namespace
 

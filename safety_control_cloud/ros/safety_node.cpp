@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "command/leaving.hpp"
-#include "input/inputs.hpp"
 #include "output/messages.hpp"
 #include "time/moments.hpp"
 
@@ -21,11 +20,12 @@ constexpr double slack = 0.1;  ///< [s] by which the node may be late until anot
 SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Delivery delivery,
                        const Settings& settings)
     : control_(settings),
-      awaited_(wanted_by(control_.settings().input, handle, private_handle)),
+      camera_(sensors_of(settings).front(), handle, private_handle),
       commands_(handle, "cmd_vel_mux/input/teleop", [this] { on_quiet(); }),
       output_(handle.advertise<sensor_msgs::PointCloud2>("output", 1)),
       reports_(private_handle, log_),
-      lost_things_(private_handle, lost_things(), [this](const std::string& line) { log_.warn(line); }),
+      lost_things_(private_handle, LostThings::of(control_, reports_),
+                   [this](const std::string& line) { log_.warn(line); }),
       quiet_(handle, [this] { on_quiet(); }),
       reconfigure_(
           private_handle, settings, [this](const Settings& changed) { control_.adopt(changed); }, log_),
@@ -33,18 +33,9 @@ SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, D
   const std::string& target_frame = control_.settings().target_frame;
   if (!target_frame.empty()) camera_place_ = std::make_unique<CameraPlace>(target_frame);
   on_quiet();
-  input_ = input_of(
-      control_.settings().input, handle, private_handle, delivery,
-      [this](const Arrival& arrival) { on_arrival(arrival); }, [this](const std::string& line) { log_.warn(line); });
-}
-
-LostThings::Control SafetyNode::lost_things() {
-  return {[this](const std::vector<std::string>& texts) { return control_.recall(texts); },
-          [this] { return control_.remembered(); },
-          [this] {
-            control_.forget_losses();
-            reports_.count_reset();
-          }};
+  camera_.open(
+      handle, private_handle, delivery, [this](const Arrival& arrival) { on_arrival(arrival); },
+      [this](const std::string& line) { log_.info(line); }, [this](const std::string& line) { log_.warn(line); });
 }
 
 SafetyNode::~SafetyNode() {
@@ -53,8 +44,6 @@ SafetyNode::~SafetyNode() {
 }
 
 void SafetyNode::on_arrival(const Arrival& arrival) {
-  if (last_cloud_.isZero()) log_.info(std::string(input_->what()) + " arrived");
-  awaited_.has_come();
   gap_.beat(now(), control_.settings());
   const double silence = last_cloud_.isZero() ? 0.0 : seconds_since(last_cloud_);
   const bool silence_was_said = said_ == Cause::Silent;
@@ -88,8 +77,7 @@ Placing SafetyNode::placing_of(const std_msgs::Header& cloud) const {
 void SafetyNode::on_quiet() {
   gap_.beat(now(), control_.settings());
   control_.note_outside(doubt_without_cloud());
-  Decision decision = control_.without_cloud(now());
-  if (decision.cause == Cause::NoCloud) decision.reason += "; " + awaited_.why();
+  const Decision decision = control_.without_cloud(now());
   publish(decision);
   diagnostics_.on_quiet(decision);
 }
@@ -97,8 +85,8 @@ void SafetyNode::on_quiet() {
 /// Why the robot stands whatever was seen last.
 std::optional<Doubt> SafetyNode::doubt_without_cloud() {
   if (auto doubt = commands_.doubt()) return doubt;
-  if (!last_cloud_.isZero()) return std::nullopt;
-  return lost_things_.nothing_seen();
+  if (camera_.has_sent()) return std::nullopt;
+  return lost_things_.nothing_seen(camera_.why_nothing_came());
 }
 
 /// What makes a cloud no reason to drive, whatever it shows.

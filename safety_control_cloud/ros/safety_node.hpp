@@ -10,9 +10,8 @@
 #include "../core/safety_control.hpp"
 #include "command/commands.hpp"
 #include "input/arrival.hpp"
-#include "input/awaited.hpp"
 #include "input/camera_place.hpp"
-#include "input/input.hpp"
+#include "input/channel.hpp"
 #include "input/own_gap.hpp"
 #include "memory/lost_things.hpp"
 #include "node.hpp"
@@ -39,7 +38,6 @@ class SafetyNode : public Node {
   void on_arrival(const Arrival& arrival);
   void on_quiet();
 
-  LostThings::Control lost_things();
   Decision decide(const Arrival& arrival);
   Placing placing_of(const std_msgs::Header& cloud) const;
   std::optional<Doubt> doubt_without_cloud();
@@ -49,13 +47,12 @@ class SafetyNode : public Node {
 
   Log log_;
   SafetyControl control_;
-  Awaited awaited_;
+  Channel camera_;
   Commands commands_;
   std::unique_ptr<CameraPlace> camera_place_;  ///< only with a target frame
   ros::Publisher output_;
   Reports reports_;
   LostThings lost_things_;
-  std::unique_ptr<Input> input_;
   Wake quiet_;
   Reconfigure reconfigure_;
   Diagnostics diagnostics_;

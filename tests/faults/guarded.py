@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import signal
 import struct
-import threading
 import time
 from contextlib import contextmanager
-from typing import Any, Callable, ContextManager, Iterator, Optional
+from typing import Any, Callable, ContextManager, Iterator, Optional, Sequence
 
 import rospy
 from camera import TOPIC, Camera
 from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Twist, TwistStamped, Vector3
 from listening import Heard
 from nav_msgs.msg import Odometry
+from repeated import Repeated
 from robot import GRACE, after, flat
 from scenes import FRAME, View, hall, wall
 from std_msgs.msg import Header
@@ -38,43 +38,17 @@ def bits(command: Twist) -> bytes:
     return struct.pack("6d", *flat(command))
 
 
-class Repeated:
-    """Publishes what it is given, again and again, from a thread of its own."""
-
-    def __init__(self, topic: str, kind: type, rate: float, made_of: Callable[[Any], Any] = lambda message: message) -> None:
-        self._publisher = rospy.Publisher(topic, kind, queue_size=1, tcp_nodelay=True)
-        self._period, self._message, self._made_of = 1.0 / rate, None, made_of
-        self._ended = threading.Event()
-        self._thread = threading.Thread(target=self._run, daemon=True)
-        self._thread.start()
-
-    def say(self, message: Any) -> None:
-        self._message = message
-        if message is not None:
-            self._publisher.publish(self._made_of(message))
-
-    def end(self) -> None:
-        self._ended.set()
-        self._thread.join()
-        self._publisher.unregister()
-
-    def _run(self) -> None:
-        while not self._ended.wait(self._period):
-            message = self._message
-            if message is not None:
-                self._publisher.publish(self._made_of(message))
-
-
 class Guarded:
     """`namespace`: "" or as "/robot1"; its frames bear the same prefix. `stamped`: its driver's commands, by `stamp`."""
 
     def __init__(
-        self, process: Process, view: Optional[View] = None, namespace: str = "", clock: Clock = rospy.Time.now, stamped: bool = False
+        self, process: Process, view: Optional[View] = None, namespace: str = "", clock: Clock = rospy.Time.now, stamped: bool = False,
+        others: Sequence[TransformStamped] = (),
     ) -> None:
         self.process, self.namespace = process, namespace
         prefix = namespace.strip("/") + "/" if namespace else ""
         self._transforms = rospy.Publisher("/tf_static", TFMessage, queue_size=10, latch=True)
-        self._transforms.publish(TFMessage([camera_on(prefix + "base_footprint", prefix + FRAME)]))
+        self._transforms.publish(TFMessage([camera_on(prefix + "base_footprint", prefix + FRAME), *others]))
         self.states = Heard(namespace + "/safety_control_cloud/state", SafetyState)
         self.blocked = Heard(namespace + "/safety_control_cloud/blocked", Blocked)
         self.commands = Heard(namespace + "/cmd_vel", Twist)
@@ -169,14 +143,15 @@ class Base:
 
 @contextmanager
 def guarded_robot(
-    *remappings: str, namespace: str = "", started: Optional[ContextManager[Process]] = None, **parameters: Any
+    *remappings: str, namespace: str = "", started: Optional[ContextManager[Process]] = None, others: Sequence[TransformStamped] = (),
+    **parameters: Any
 ) -> Iterator[Guarded]:
-    """A robot in a free hall whose camera has been seen; nobody drives it yet."""
+    """A robot in a free hall whose camera has been seen; nobody drives it yet. `others`: where its other sensors are."""
     given = [f"_{name}:={value}" for name, value in {"mode": "guard", **parameters}.items()]
     ours = [f"__ns:={namespace}"] if namespace else []
     with started or node("safety_control_node", *given, *ours, *remappings) as process:
         stamped = parameters.get("command_type") == "twist_stamped"
-        robot = Guarded(process, namespace=namespace, stamped=stamped)
+        robot = Guarded(process, namespace=namespace, stamped=stamped, others=others)
         try:
             robot.stands("NO_COMMAND", within=20.0)
             yield robot

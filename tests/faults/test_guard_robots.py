@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 import rospy
 from guarded import CAMERA_TO_FRONT, Base, guarded_robot, twist
+from laser import scan_of, with_post
 from robot import START
 from scenes import FRAME, HEIGHT, WIDTH, always, cloud_of, hall, wall
+from three_sensors import robot_with_sensors
 
 from safety_control_cloud.processes import process
 from safety_control_cloud.ros_session import node
@@ -61,3 +63,16 @@ def test_a_list_of_corners_is_a_footprint_and_an_unfit_one_refused(master):
     with guarded_robot(footprint="[[0.2, 0.2], [-0.2, 0.2], [-0.2, -0.2], [0.2, -0.2]]") as robot:
         robot.driver.say(AHEAD)
         robot.passes(AHEAD)
+
+
+def test_the_nodelet_takes_several_sensors(master):
+    with robot_with_sensors(started=process(NODELET)) as robot:
+        robot.driver.say(twist(-0.3))
+        robot.passes(twist(-0.3))
+        robot.laser.show(lambda: scan_of(with_post(150.0, 0.4)))
+        robot.driver.say(twist(-0.6))
+        robot.gives(lambda state: state.factor < 0.9 and state.sensor == "laser")
+        robot.laser.show(lambda: scan_of([]))
+        robot.stands("UNREADABLE")
+        robot.laser.pause()
+        robot.stands("SILENT")

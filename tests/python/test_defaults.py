@@ -13,7 +13,7 @@ DEFAULTS = core.Settings().as_dict()
 
 
 def same(repeated, default) -> bool:
-    return repeated == default if isinstance(default, str) else float(repeated) == pytest.approx(default, rel=1e-6)
+    return repeated == default if isinstance(default, (str, bool, list)) else float(repeated) == pytest.approx(default, rel=1e-6)
 
 
 def assert_repeats_the_defaults(repeated):

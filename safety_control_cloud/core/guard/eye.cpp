@@ -27,6 +27,15 @@ std::vector<Point2> boundary_of(const Outline& outline) {
   return points;
 }
 
+/// `ahead`: the axis in the sensor's own frame.
+Eye towards(const Outlook& outlook, const Point& ahead, double half_angle) {
+  const Point sensor = outlook.camera(), there = outlook.placed(ahead.x, ahead.y, ahead.z);
+  const Point2 place{sensor.z, -sensor.x}, direction{double{there.z} - sensor.z, double{sensor.x} - there.x};
+  const double length = length_of(direction);
+  if (!(length > 0.1)) return {place, {}, 0.0};
+  return {place, (1.0 / length) * direction, half_angle};
+}
+
 }  // namespace
 
 bool Eye::sees(const Point2& point) const {
@@ -35,12 +44,13 @@ bool Eye::sees(const Point2& point) const {
 }
 
 Eye eye_of(const Outlook& outlook, const FieldOfView& field) {
-  const Point camera = outlook.camera(), ahead = outlook.placed(0.0f, 0.0f, 1.0f);
-  const Point2 direction{double{ahead.z} - camera.z, double{camera.x} - ahead.x};
-  const double length = length_of(direction);
-  const Point2 place{camera.z, -camera.x};
-  if (!(length > 0.1)) return {place, {}, 0.0};
-  return {place, (1.0 / length) * direction, std::atan(std::max(0.0, std::min(-field.left, field.right)))};
+  return towards(outlook, {0.0f, 0.0f, 1.0f}, std::atan(std::max(0.0, std::min(-field.left, field.right))));
+}
+
+Eye eye_of(const Outlook& outlook, const ScanView& scan) {
+  const double middle = 0.5 * (scan.first + scan.last);
+  const Point ahead{static_cast<float>(std::cos(middle)), static_cast<float>(std::sin(middle)), 0.0f};
+  return towards(outlook, ahead, 0.5 * (scan.last - scan.first));
 }
 
 bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2& twist, double time) {
@@ -58,7 +68,8 @@ bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2&
 
 bool leads_away_from(const Eye& eye, const Twist2& twist) {
   const double speed = speed_of(twist);
-  return speed > 0.0 && std::abs(twist.w) <= straight * speed &&
+  const bool looks_there = eye.half_angle > pi - std::acos(least_away);
+  return !looks_there && speed > 0.0 && std::abs(twist.w) <= straight * speed &&
          -dot(eye.direction, linear(twist)) >= least_away * speed;
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "../input/scan.hpp"
 #include "../look/field_of_view.hpp"
 #include "../path/outline.hpp"
 
@@ -19,6 +20,9 @@ struct Eye {
 
 /// Of a camera that is placed in base_frame.
 Eye eye_of(const Outlook& outlook, const FieldOfView& field);
+
+/// Of a range finder.
+Eye eye_of(const Outlook& outlook, const ScanView& scan);
 
 /// Whether the footprint, within `time` [s] of a twist, comes to where it is not now and all of that lies outside what
 /// the eye sees, at any distance.

@@ -13,7 +13,9 @@ namespace {
 
 constexpr double between_ways = 0.25;  ///< of the greatest way: how far the true one is from the nearest of the four
 
-Allowed standing(Cause cause, const std::string& reason) { return {0.0, 0.0, std::nullopt, {}, cause, reason}; }
+Allowed standing(const std::string& sensor, const Doubt& doubt) {
+  return {0.0, 0.0, std::nullopt, sensor, doubt.cause, doubt.reason};
+}
 
 Allowed lesser(Allowed a, Allowed b) { return b.factor < a.factor ? std::move(b) : std::move(a); }
 
@@ -43,26 +45,25 @@ Contact on_the_path(const Outline& outline, const Obstacles& obstacles, const Tw
 
 }  // namespace
 
-Guard::Guard(const GuardSettings& settings, const Law& law)
-    : settings_(settings), law_(law), outline_(footprint_of(settings)) {}
+Guard::Guard(const GuardSettings& settings) : settings_(settings), outline_(footprint_of(settings)) {}
 
 /// Straying (speed/straying.hpp) grows with the time in which the base changes its twist; three times that of braking
 /// is more than it comes to.
-double Guard::reach(double oldest) const {
+double Guard::reach(double oldest, const Law& law) const {
   const double fastest = settings_.max_speed + settings_.max_turn * outline_.turning_reach();
   const double braking =
-      std::max(settings_.max_speed / law_.linear_deceleration, settings_.max_turn / law_.angular_deceleration);
-  const double time = oldest + law_.sensor_period + law_.latency + law_.base_reaction + 3.0 * braking;
-  return outline_.reach() + outline_.margin() + (fastest + law_.obstacle_speed) * time;
+      std::max(settings_.max_speed / law.linear_deceleration, settings_.max_turn / law.angular_deceleration);
+  const double time = oldest + law.sensor_period + law.latency + law.base_reaction + 3.0 * braking;
+  return outline_.reach() + outline_.margin() + (fastest + law.obstacle_speed) * time;
 }
 
 Allowed Guard::allowed(const Twist2& wanted, const std::vector<Twist2>& under_way,
                        const std::vector<Known>& known) const {
-  if (known.empty()) return standing(Cause::NoCloud, "there is no sensor");
+  if (known.empty()) return standing({}, {Cause::NoCloud, "there is no sensor"});
   for (const Known& one : known) {
-    if (one.doubt) return standing(one.doubt->cause, one.doubt->reason);
+    if (one.doubt) return standing(one.sensor, *one.doubt);
     if (one.lost && !(one.eye && leads_away_from(*one.eye, wanted)))
-      return standing(one.lost->cause, one.lost->reason + "; only straight away from there");
+      return standing(one.sensor, {one.lost->cause, one.lost->reason + "; only straight away from there"});
   }
   const Allowed capped = lesser(by_speed(wanted), by_eyes(wanted, known));
   const Twist2 slower = limited(wanted, capped.factor);
@@ -96,22 +97,22 @@ Allowed Guard::by_speed(const Twist2& wanted) const {
   return allowed;
 }
 
-/// Where nobody looks, no faster than is said for that; away from what was lost from sight, as out of the margin.
+/// Where nobody looks, no faster than is said for that; nor than out of the margin, away from what was lost from sight.
 Allowed Guard::by_eyes(const Twist2& wanted, const std::vector<Known>& known) const {
-  Allowed least;
-  bool unseen = true;
-  for (const Known& one : known) {
+  const double time = 1.0;  // the direction counts, not the way
+  const auto looks_there = [&](const Known& one) {
+    return !one.lost && one.eye && !leads_into_the_unseen(outline_, *one.eye, wanted, time);
+  };
+  if (std::any_of(known.begin(), known.end(), looks_there)) return {};
+  Allowed least = capped(wanted, settings_.unseen_speed, "no sensor looks there: unseen_speed");
+  for (const Known& one : known)
     if (one.lost) least = lesser(std::move(least), capped(wanted, settings_.escape_speed, one.lost->reason));
-    const double time = 1.0;  // the direction counts, not the way
-    if (!one.lost && one.eye && !leads_into_the_unseen(outline_, *one.eye, wanted, time)) unseen = false;
-  }
-  if (!unseen) return least;
-  return lesser(std::move(least), capped(wanted, settings_.unseen_speed, "no sensor looks there: unseen_speed"));
+  return least;
 }
 
 Allowed Guard::by_sight(const Twist2& wanted, const std::vector<Twist2>& under_way, const Known& known) const {
   Allowed least;
-  if (!known.around) return standing(Cause::NoCloud, "nothing has been seen yet");
+  if (!known.around) return standing(known.sensor, {Cause::NoCloud, "nothing has been seen yet"});
   std::size_t nearer = 0;
   for (const Ring& ring : known.around->rings()) {
     least = lesser(std::move(least), by_ring(wanted, under_way, known, ring, nearer));
@@ -128,11 +129,11 @@ Allowed Guard::by_ring(const Twist2& wanted, const std::vector<Twist2>& under_wa
   if (ring.returns == 0) return least;
   const bool innermost = &ring == &known.around->rings().front();
   const double widening = ring.obstacles.widening + widening_for(known.ways, ring.extent);
-  Law law = law_;
-  law.min_points = law_.min_points > nearer ? law_.min_points - nearer : 1;
+  Law law = known.law;
+  law.min_points = law.min_points > nearer ? law.min_points - nearer : 1;
   // What is inside the margin can be left only by who knows the points as they are (limit.hpp). The innermost cells are
   // so small that to widen the margin by them, and to take them off the noise, is as good.
-  if (innermost) law.noise = std::max(0.5 * law_.noise, law_.noise - 2.0 * ring.obstacles.widening);
+  if (innermost) law.noise = std::max(0.5 * law.noise, law.noise - 2.0 * ring.obstacles.widening);
   const Outline outline = innermost ? Outline(widened(outline_, widening)) : outline_;
   Obstacles moved{{}, ring.obstacles.counts, innermost ? 0.0 : widening};
   for (const Pose2& way : known.ways) {

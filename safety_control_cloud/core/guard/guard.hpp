@@ -27,8 +27,8 @@ struct Allowed {
 /// What a robot of this shape may do of what is wanted. Pure: all that changes is an argument.
 class Guard {
  public:
-  /// `law` as limit() has it; the settings are fit.
-  Guard(const GuardSettings& settings, const Law& law);
+  /// The settings are fit.
+  explicit Guard(const GuardSettings& settings);
 
   /// `under_way` as limit() has it; the least of what the sensors allow.
   Allowed allowed(const Twist2& wanted, const std::vector<Twist2>& under_way, const std::vector<Known>& known) const;
@@ -38,8 +38,8 @@ class Guard {
 
   const Outline& outline() const { return outline_; }
 
-  /// [m] beyond which nothing is reached by the fastest motion, given sensors that are up to `oldest` [s] old.
-  double reach(double oldest) const;
+  /// [m] beyond which nothing is reached by the fastest motion, given a sensor that is up to `oldest` [s] old.
+  double reach(double oldest, const Law& law) const;
 
  private:
   Allowed by_speed(const Twist2& wanted) const;
@@ -50,7 +50,6 @@ class Guard {
   Allowed capped(const Twist2& wanted, double fastest, const std::string& reason) const;
 
   GuardSettings settings_;
-  Law law_;
   Outline outline_;
 };
 

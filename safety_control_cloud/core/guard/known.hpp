@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../doubt/doubt.hpp"
+#include "../speed/law.hpp"
 #include "eye.hpp"
 #include "pose.hpp"
 #include "surroundings.hpp"
@@ -16,6 +17,7 @@ namespace safety_control_cloud {
 struct Known {
   std::string sensor;                    ///< its name
   const Surroundings* around = nullptr;  ///< as they were taken; none: nothing was ever seen
+  Law law;                               ///< by which that is judged
   double age = 0.0;                      ///< [s] since then
   std::vector<Pose2> ways;               ///< that the robot may have gone since then; the true one lies between them
   std::optional<Eye> eye;                ///< where it looks

@@ -20,8 +20,8 @@ std::optional<std::string> refusal_of(const OverrideWish& wish, const GuardSetti
 
 }  // namespace
 
-OverrideReply SightOverride::ask(const OverrideWish& wish, const GuardSettings& settings, const std::optional<Doubt>& doubt,
-                            double now) {
+OverrideReply SightOverride::ask(const OverrideWish& wish, const GuardSettings& settings,
+                                 const std::optional<Doubt>& doubt, double now) {
   if (wish.seconds == 0.0) {
     const bool held = holds(now);
     end();
@@ -46,15 +46,22 @@ void SightOverride::adopt(const GuardSettings& settings) {
 
 double SightOverride::left(double now) const { return until_ ? std::max(0.0, *until_ - now) : 0.0; }
 
-bool SightOverride::covers(const Known& known, double now) const {
+bool SightOverride::covers(const std::vector<Known>& known, double now) const {
   if (!holds(now)) return false;
-  if (known.doubt && known.doubt->cause == Cause::TwoCommanders) return false;
+  const auto commanded_twice = [](const Known& one) { return one.doubt && one.doubt->cause == Cause::TwoCommanders; };
+  if (std::any_of(known.begin(), known.end(), commanded_twice)) return false;
   return granted_.even_in_doubt || !doubt_of(known);
 }
 
 std::optional<Doubt> doubt_of(const Known& known) {
   if (known.doubt) return known.doubt;
   return known.lost && known.lost->cause != Cause::Seen ? known.lost : std::nullopt;
+}
+
+std::optional<Doubt> doubt_of(const std::vector<Known>& known) {
+  for (const Known& one : known)
+    if (auto doubt = doubt_of(one)) return doubt;
+  return std::nullopt;
 }
 
 }  // namespace safety_control_cloud

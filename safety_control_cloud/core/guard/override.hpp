@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "known.hpp"
 #include "settings.hpp"
@@ -36,7 +37,7 @@ class SightOverride {
   double speed() const { return speed_; }  ///< [m/s] of the fastest point
 
   /// Whether a command may pass for it: that there are two commanders is no matter of sight, and so no matter of this.
-  bool covers(const Known& known, double now) const;
+  bool covers(const std::vector<Known>& known, double now) const;
 
  private:
   void end() { until_.reset(); }
@@ -48,5 +49,6 @@ class SightOverride {
 
 /// Why a sensor is not to be believed, wherever it looks. What is too close to measure was seen.
 std::optional<Doubt> doubt_of(const Known& known);
+std::optional<Doubt> doubt_of(const std::vector<Known>& known);  ///< of the first for which there is one
 
 }  // namespace safety_control_cloud

@@ -47,6 +47,7 @@ std::optional<CommandType> command_type_named(const std::string& name) {
 void check(const GuardSettings& guard, Problems& problems) {
   check_footprint(guard, problems);
   check_boxes(guard, problems);
+  check(guard.sensors, problems);
   problems.require(!guard.base_frame.empty(), "base_frame must not be empty");
   problems.require(guard.command_max_age > 0.0, "command_max_age must be positive");
   problems.require(guard.command_timeout > 0.0, "command_timeout must be positive");

@@ -10,6 +10,7 @@
 #include "../path/obstacles.hpp"
 #include "../text/problems.hpp"
 #include "lists.hpp"
+#include "sensors.hpp"
 
 namespace safety_control_cloud {
 
@@ -38,22 +39,23 @@ struct GuardSettings {
   Lists footprint;                            ///< [m] corners in base_frame; none: a circle
   double radius = 0.178;                      ///< [m] of the circle, a Kobuki's; with a footprint it is not asked
   double margin = 0.05;                       ///< [m] kept clear around the footprint
-  Lists self_boxes;              ///< [m] x_min, x_max, y_min, y_max, z_min, z_max: parts of the robot a sensor may see
+  Lists self_boxes;  ///< [m] x_min, x_max, y_min, y_max, z_min, z_max: parts of the robot a sensor may see
   CommandType command_type = CommandType::Twist;
-  double command_max_age = 0.3;  ///< [s] since its stamp at which a TwistStamped may still come
-  double command_timeout = 0.5;  ///< [s] an older command is none
-  double min_speed = 0.01;       ///< [m/s] of the fastest point; a base does not obey what is left below this
-  double max_speed = 0.7;        ///< [m/s]
-  double max_turn = 3.14;        ///< [rad/s]
-  double escape_speed = 0.1;     ///< [m/s] of the fastest point on the way out of the margin
-  double unseen_speed = 0.1;     ///< [m/s] of the fastest point, where no sensor looks; 0 = never
-  double override_max = 0.0;     ///< [s] for which ~override may hold; 0 = it is refused
-  double override_speed = 0.1;   ///< [m/s] of the fastest point meanwhile, at most
-  double latency = 0.05;         ///< [s] from a look, or a wish, until the base has the command
-  double base_reaction = 0.1;    ///< [s] until the base begins to obey it
+  double command_max_age = 0.3;       ///< [s] since its stamp at which a TwistStamped may still come
+  double command_timeout = 0.5;       ///< [s] an older command is none
+  double min_speed = 0.01;            ///< [m/s] of the fastest point; a base does not obey what is left below this
+  double max_speed = 0.7;             ///< [m/s]
+  double max_turn = 3.14;             ///< [rad/s]
+  double escape_speed = 0.1;          ///< [m/s] of the fastest point on the way out of the margin
+  double unseen_speed = 0.1;          ///< [m/s] of the fastest point, where no sensor looks; 0 = never
+  double override_max = 0.0;          ///< [s] for which ~override may hold; 0 = it is refused
+  double override_speed = 0.1;        ///< [m/s] of the fastest point meanwhile, at most
+  double latency = 0.05;              ///< [s] from a look, or a wish, until the base has the command
+  double base_reaction = 0.1;         ///< [s] until the base begins to obey it
   double angular_deceleration = 3.5;  ///< [rad/s2] of the base when it brakes (Kobuki's driver: an assumption)
   double obstacle_speed = 0.0;        ///< [m/s] with which every obstacle may approach
   double noise = 0.01;                ///< [m] of the sensor
+  Sensors sensors;                    ///< none: the one of `input`
 };
 
 /// Calls visit(name, value) for every parameter; `guard` may be const.
@@ -80,6 +82,7 @@ void for_each_guard_parameter(GuardSettingsOrConst& guard, Visit& visit) {
   visit("angular_deceleration", guard.angular_deceleration);
   visit("obstacle_speed", guard.obstacle_speed);
   visit("noise", guard.noise);
+  visit("sensors", guard.sensors);
 }
 
 void check(const GuardSettings& guard, Problems& problems);

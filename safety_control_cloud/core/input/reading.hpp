@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "scan.hpp"
 #include "view.hpp"
 
 namespace safety_control_cloud {
@@ -13,11 +14,12 @@ struct Unreadable {
   std::string reason;
 };
 
-using Reading = std::variant<CloudView, DepthView, Unreadable>;
+using Reading = std::variant<CloudView, DepthView, ScanView, Unreadable>;
 
 /// The view of a reading that is readable.
 inline View view_in(const Reading& reading) {
   if (const auto* image = std::get_if<DepthView>(&reading)) return *image;
+  if (const auto* scan = std::get_if<ScanView>(&reading)) return scan->points;
   return std::get<CloudView>(reading);
 }
 

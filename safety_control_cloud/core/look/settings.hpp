@@ -37,6 +37,7 @@ struct LookSettings {
   std::string target_frame;  ///< the corridor lies in this frame; empty: in the camera's optical frame
   FrameCorridor frame_corridor;
   MinusInf depth_minus_inf = MinusInf::TooClose;  ///< what -Inf in a depth image says; in a cloud it is too close
+  bool inf_is_free = false;                       ///< +Inf in a scan has seen that nothing is there, up to range_max
   Method method = Method::OnePass;
 };
 
@@ -55,6 +56,7 @@ void for_each_look_parameter(LookSettingsOrConst& look, Visit& visit) {
   visit("range_min", look.corridor.range_min);
   visit("min_points", look.corridor.min_points);
   visit("depth_minus_inf", look.depth_minus_inf);
+  visit("inf_is_free", look.inf_is_free);
   visit("method", look.method);
 }
 

@@ -99,8 +99,10 @@ class Settings:
     angular_deceleration: float
     obstacle_speed: float
     noise: float
+    sensors: List[Dict[str, Any]]
     publish_rate: float
     depth_minus_inf: str
+    inf_is_free: bool
     method: str
     input: str
     def __init__(self, **parameters: Union[float, int, str]) -> None: ...

@@ -16,8 +16,6 @@ class CloudInput : public Input {
  public:
   CloudInput(ros::NodeHandle& handle, const std::string& topic, Delivery delivery, const OnArrival& on_arrival);
 
-  const char* what() const override { return "Point cloud"; }
-
  private:
   ros::Subscriber subscriber_;
 };

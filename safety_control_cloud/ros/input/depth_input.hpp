@@ -20,8 +20,6 @@ class DepthInput : public Input {
   DepthInput(ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& topic,
              Delivery delivery, OnArrival on_arrival, Warn warn);
 
-  const char* what() const override { return "Depth image"; }
-
  private:
   void take_in_place(ros::NodeHandle& handle, const std::string& topic);
   void take_by_transport(ros::NodeHandle& handle, const std::string& topic,

@@ -13,8 +13,6 @@ using Warn = std::function<void(const std::string&)>;
 class Input {
  public:
   virtual ~Input() = default;
-
-  virtual const char* what() const = 0;  ///< it hands over, as "Point cloud"
 };
 
 }  // namespace safety_control_cloud

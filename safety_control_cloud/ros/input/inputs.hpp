@@ -13,11 +13,13 @@
 
 namespace safety_control_cloud {
 
-/// The input of this kind, on the tutorial's topic for it.
-std::unique_ptr<Input> input_of(InputKind kind, ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
-                                Delivery delivery, const OnArrival& on_arrival, const Warn& warn);
+/// What a sensor sends, from its topic; if it names none, from the tutorial's for its type.
+std::unique_ptr<Input> input_of(const SensorSettings& sensor, ros::NodeHandle& handle,
+                                const ros::NodeHandle& private_handle, Delivery delivery, const OnArrival& on_arrival,
+                                const Warn& warn);
 
 /// The topics that it hears, by their resolved names.
-std::vector<Wanted> wanted_by(InputKind kind, const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
+std::vector<Wanted> wanted_by(const SensorSettings& sensor, const ros::NodeHandle& handle,
+                              const ros::NodeHandle& private_handle);
 
 }  // namespace safety_control_cloud

@@ -30,9 +30,9 @@ void LostThings::keep(Cause cause) {
   last_kept_ = ros::SteadyTime::now();
 }
 
-Doubt LostThings::nothing_seen() const {
-  const std::string reason = "no cloud has arrived yet";
-  return {Cause::NoCloud, known_ ? reason : reason + ", and " + nothing_known};
+Doubt LostThings::nothing_seen(const std::string& why) const {
+  return {Cause::NoCloud, std::string("no cloud has arrived yet") +
+                              (known_ ? "; " : std::string(", and ") + nothing_known + "; ") + why};
 }
 
 bool LostThings::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& answer) {

@@ -24,14 +24,25 @@ class LostThings {
     std::function<void()> forget;
   };
 
+  /// Of a control and the reports that count its resets.
+  template <class AnyControl, class AnyReports>
+  static Control of(AnyControl& control, AnyReports& reports) {
+    return {[&control](const std::vector<std::string>& texts) { return control.recall(texts); },
+            [&control] { return control.remembered(); },
+            [&control, &reports] {
+              control.forget_losses();
+              reports.count_reset();
+            }};
+  }
+
   /// Recalls at once what another process remembered.
   LostThings(ros::NodeHandle& private_handle, Control control, Keepsake::Say warn);
 
   /// Writes down what is remembered, if `cause` is another than before or it was long ago.
   void keep(Cause cause);
 
-  /// Nothing has been seen yet. The reason says so where nobody knows what was near before, either.
-  Doubt nothing_seen() const;
+  /// Nothing has been seen yet, and why. The reason says so where nobody knows what was near before, either.
+  Doubt nothing_seen(const std::string& why) const;
 
  private:
   bool on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& answer);

@@ -38,20 +38,34 @@ double Durations::quantile(double share) const {
   return sorted[static_cast<std::size_t>(rank)];
 }
 
-Diagnostics::Diagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
+void Diagnostics::Fed::note(const std_msgs::Header& cloud) {
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  if (last_arrival) periods.add((now - *last_arrival).toSec());
+  last_arrival = now;
+  const std::uint32_t gap = last_seq ? cloud.seq - *last_seq - 1 : 0;
+  if (gap <= largest_gap) dropped += gap;
+  last_seq = cloud.seq;
+}
+
+void Diagnostics::Fed::add_to(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  const std::string whose = name.empty() ? "" : name + ": ";
+  status.add(whose + "input rate [Hz]", 1.0 / periods.quantile(0.5));
+  status.add(whose + "age of the last cloud [s]",
+             last_arrival ? (ros::SteadyTime::now() - *last_arrival).toSec() : std::nan(""));
+  status.add(whose + "clouds dropped", dropped);
+}
+
+Diagnostics::Diagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+                         const std::vector<std::string>& sensors)
     : updater_(handle, private_handle, private_handle.getNamespace()) {
+  for (const std::string& name : sensors) fed_.push_back({name});
   updater_.setHardwareID("depth camera");
   updater_.add("safety", this, &Diagnostics::report);
 }
 
 void Diagnostics::on_cloud(const Decision& decision, const std_msgs::Header& cloud, double decision_time,
-                           double latency) {
-  const ros::SteadyTime now = ros::SteadyTime::now();
-  if (last_arrival_) periods_.add((now - *last_arrival_).toSec());
-  last_arrival_ = now;
-  const std::uint32_t gap = last_seq_ ? cloud.seq - *last_seq_ - 1 : 0;
-  if (gap <= largest_gap) dropped_ += gap;
-  last_seq_ = cloud.seq;
+                           double latency, std::size_t sensor) {
+  fed_[sensor].note(cloud);
   decision_times_.add(decision_time);
   latencies_.add(latency);
   decision_ = decision;
@@ -75,10 +89,7 @@ void Diagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   }
   if (override_left_ > 0.0) status.add("override for [s]", override_left_);
   status.add("share of returns", share_of_returns(decision_.sight));
-  status.add("input rate [Hz]", 1.0 / periods_.quantile(0.5));
-  status.add("age of the last cloud [s]",
-             last_arrival_ ? (ros::SteadyTime::now() - *last_arrival_).toSec() : std::nan(""));
-  status.add("clouds dropped", dropped_);
+  for (const Fed& fed : fed_) fed.add_to(status);
   status.add("decision time p50 [ms]", decision_times_.quantile(0.5) * milliseconds);
   status.add("decision time p99 [ms]", decision_times_.quantile(0.99) * milliseconds);
   status.add("publish to decision p50 [ms]", latencies_.quantile(0.5) * milliseconds);

@@ -7,6 +7,8 @@
 
 #include <deque>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "../../core/decision.hpp"
 
@@ -25,25 +27,39 @@ class Durations {
 /// Reports on /diagnostics what the node decides and how well it is fed.
 class Diagnostics {
  public:
-  Diagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
+  /// `sensors`: their names, if there are several.
+  Diagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+              const std::vector<std::string>& sensors = {""});
 
-  /// A cloud was decided on in `decision_time` [s]; `latency` [s] is the time from its stamp to the decision.
-  void on_cloud(const Decision& decision, const std_msgs::Header& cloud, double decision_time, double latency);
+  /// A cloud of one of the sensors was decided on in `decision_time` [s]; `latency` [s] is the time from its stamp to
+  /// the decision.
+  void on_cloud(const Decision& decision, const std_msgs::Header& cloud, double decision_time, double latency,
+                std::size_t sensor = 0);
   void on_quiet(const Decision& decision);
 
   /// For so long [s] commands pass whatever is seen; 0: no.
   void note_override(double left) { override_left_ = left; }
 
  private:
+  /// How one sensor feeds the node.
+  struct Fed {
+    std::string name;
+    Durations periods = {};
+    std::optional<ros::SteadyTime> last_arrival = std::nullopt;
+    std::optional<std::uint32_t> last_seq = std::nullopt;
+    std::size_t dropped = 0;
+
+    void note(const std_msgs::Header& cloud);
+    void add_to(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+  };
+
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   diagnostic_updater::Updater updater_;
   Decision decision_;
   double override_left_ = 0.0;
-  Durations decision_times_, latencies_, periods_;
-  std::optional<ros::SteadyTime> last_arrival_;
-  std::optional<std::uint32_t> last_seq_;
-  std::size_t dropped_ = 0;
+  std::vector<Fed> fed_;
+  Durations decision_times_, latencies_;
 };
 
 }  // namespace safety_control_cloud

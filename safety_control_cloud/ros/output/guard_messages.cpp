@@ -72,6 +72,7 @@ SafetyState to_state(const Guarded& answer, const Settings& settings, const std_
   state.factor = answer.factor;
   state.time_to_contact = answer.time_to_contact;
   state.sensor = answer.sensor;
+  state.doubts = answer.doubts;
   state.stuck = answer.stuck;
   if (answer.stuck) state.stuck_since = ros_time_of(answer.stuck_since);
   state.open = answer.open;

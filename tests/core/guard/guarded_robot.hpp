@@ -30,8 +30,8 @@ struct GuardedRobot {
 
   void pass(double seconds) { now.steady += seconds, now.ros += seconds; }
 
-  void see(const CloudView& view, const Placing& placing = xtion()) {
-    control.see(view, {now.ros, placing, "camera", "camera_depth_optical_frame"}, now);
+  void see(const CloudView& view, const Placing& placing = xtion(), std::size_t sensor = 0) {
+    control.see(view, {now.ros, placing, "camera", "camera_depth_optical_frame"}, now, sensor);
   }
   void see(const Scene& scene) { see(scene.view()); }
 

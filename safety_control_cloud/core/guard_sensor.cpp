@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "guard_sensor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "guard/facing.hpp"
+#include "look/field_of_view.hpp"
+#include "look/outlook.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double long_on_its_way = 0.2;  ///< [s] what comes later after its stamp than this may have one that is off
+constexpr double turned_away = 0.2;      ///< [rad] by which a camera may look past its corridor before that follows it
+
+Law law_of(const Settings& settings) {
+  Law law;
+  law.sensor_period = settings.stopping.sensor_period;
+  law.latency = settings.latency;
+  law.base_reaction = settings.base_reaction;
+  law.linear_deceleration = settings.stopping.base_deceleration;
+  law.angular_deceleration = settings.angular_deceleration;
+  law.obstacle_speed = settings.obstacle_speed;
+  law.escape_speed = settings.escape_speed;
+  law.noise = settings.noise;
+  law.min_points = settings.corridor.min_points;
+  return law;
+}
+
+Surroundings surroundings_of(const Settings& own, const Guard& guard) {
+  const FrameCorridor& band = own.frame_corridor;
+  return {guard.outline(), {band.bottom, band.top, guard.reach(own.source_timeout, law_of(own)), own_boxes_of(own)}};
+}
+
+/// Why a sensor that saw until now is lost where it looks, and only there.
+std::optional<Doubt> loss_in(const Answer& answer, std::size_t min_points) {
+  if (const auto* doubt = std::get_if<Doubt>(&answer)) {
+    return doubt->cause == Cause::Blind ? std::optional(*doubt) : std::nullopt;
+  }
+  const auto& [sight, loss] = std::get<Seen>(answer);
+  if (loss) return Doubt{loss->cause, loss->reason};
+  if (sight.too_close > 0 && sight.too_close + sight.inside >= min_points)
+    return Doubt{Cause::Seen, "something is too close to measure"};
+  return std::nullopt;
+}
+
+Eye eye_in(const Reading& reading, const View& view, const Outlook& outlook) {
+  if (const auto* scan = std::get_if<ScanView>(&reading)) return eye_of(outlook, *scan);
+  const auto field = field_of(view, Sense::Either);
+  const auto* seen = std::get_if<FieldOfView>(&field);
+  return eye_of(outlook, seen ? *seen : FieldOfView{});
+}
+
+double lasts(const Reading& reading) {
+  const auto* scan = std::get_if<ScanView>(&reading);
+  return scan ? scan->lasts : 0.0;
+}
+
+}  // namespace
+
+GuardSensor::GuardSensor(const SensorSettings& sensor, const Settings& settings, const Guard& guard)
+    : about_(sensor),
+      own_(own_settings(settings, sensor)),
+      sensor_(sensor_settings(own_)),
+      around_(surroundings_of(own_, guard)) {}
+
+void GuardSensor::adopt(const Settings& settings, const Guard& guard) {
+  own_ = own_settings(settings, about_);
+  sensor_.adopt(sensor_settings(own_, facing_));
+  around_ = surroundings_of(own_, guard);
+  taken_.reset();  // what was collected was collected within other limits
+}
+
+void GuardSensor::see(const Reading& reading, const Origin& origin, const Instant& now) {
+  last_arrival_ = now.steady;
+  face(reading, origin.placing);
+  Origin facing = origin;
+  if (const auto* placement = std::get_if<Placement>(&origin.placing))
+    facing.placing = in_turned_frame(*placement, facing_);
+  sensor_.see(reading, facing, now);
+  if (!std::holds_alternative<Seen>(sensor_.answer())) return;
+  take(reading, origin, now);
+  was_sound_ = true;
+}
+
+/// A scan looks to all sides.
+void GuardSensor::face(const Reading& reading, const Placing& placing) {
+  const auto* placement = std::get_if<Placement>(&placing);
+  const auto heading = placement ? heading_of(*placement) : std::nullopt;
+  if (!heading || std::holds_alternative<ScanView>(reading)) return;
+  if (std::abs(std::remainder(*heading - facing_, 2.0 * std::acos(-1.0))) <= turned_away) return;
+  facing_ = std::abs(*heading) <= turned_away ? 0.0 : *heading;
+  sensor_.adopt(sensor_settings(own_, facing_));
+}
+
+void GuardSensor::take(const Reading& reading, const Origin& origin, const Instant& now) {
+  const Settings by = sensor_settings(own_);
+  const Outlook outlook = std::get<Outlook>(outlook_of(by, origin.placing));  // there is one, or nothing were seen
+  const View view = view_in(reading, by);
+  around_.look(view, outlook);
+  const double on_its_way = by.stamp_tolerance > 0.0 ? std::max(0.0, now.ros - origin.stamp) : 0.0;
+  taken_ = Taken{now, on_its_way, lasts(reading), eye_in(reading, view, outlook)};
+}
+
+void GuardSensor::wait(const Instant& now) {
+  sensor_.wait(now);
+  if (std::holds_alternative<Doubt>(sensor_.answer()) && !loss_in(sensor_.answer(), 1)) was_sound_ = false;
+}
+
+Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const Given& given) const {
+  Known known;
+  known.sensor = about_.name;
+  known.law = law_of(own_);
+  if (const auto* doubt = std::get_if<Doubt>(&sensor_.answer())) known.doubt = *doubt;
+  if (auto lost = loss_in(sensor_.answer(), own_.corridor.min_points); lost && was_sound_) {
+    known.lost = std::move(lost);
+    known.doubt.reset();
+  }
+  if (outside_) known.doubt = outside_;
+  if (!taken_) {
+    if (!known.doubt) known.doubt = Doubt{Cause::NoCloud, "no cloud has been seen by these settings yet"};
+    return known;
+  }
+  known.around = &around_;
+  known.age = std::max(now.steady - taken_->arrival.steady, now.ros - taken_->arrival.ros) + taken_->time_to_arrive;
+  known.ways = ways_since_look(now, odometry, given);
+  known.eye = taken_->eye;
+  return known;
+}
+
+/// By odometry, where it spans the time. Where the stamp may be off, also as if it had been taken when it came; of what
+/// was being taken for a while, also as if at the end of that.
+std::vector<Pose2> GuardSensor::ways_since_look(const Instant& now, const Odometry& odometry,
+                                                const Given& given) const {
+  const double on_its_way = taken_->time_to_arrive;
+  const auto way = odometry.way_since(taken_->arrival.ros - on_its_way, now.ros);
+  const auto way_since_arrival = odometry.way_since(taken_->arrival.ros, now.ros);
+  if (!way || !way_since_arrival) return given.ways_since(taken_->arrival.steady - on_its_way, now.steady);
+  if (on_its_way <= long_on_its_way && taken_->lasts == 0.0) return {*way};
+  return {*way, *way_since_arrival};
+}
+
+double GuardSensor::until_silent(double now) const {
+  const double left = last_arrival_ ? own_.source_timeout - (now - *last_arrival_) : 0.0;
+  return left > 0.0 ? left : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "guard/given.hpp"
+#include "guard/guard.hpp"
+#include "guard/odometry.hpp"
+#include "guard/surroundings.hpp"
+#include "sensor.hpp"
+#include "settings.hpp"
+
+namespace safety_control_cloud {
+
+/// One sensor of the guard: what it sees around the robot and whether that is to be believed, wherever it looks.
+class GuardSensor {
+ public:
+  /// The settings are fit; `guard` was made of them.
+  GuardSensor(const SensorSettings& sensor, const Settings& settings, const Guard& guard);
+
+  /// Goes on with other settings for all.
+  void adopt(const Settings& settings, const Guard& guard);
+
+  /// A reading has come, readable or not.
+  void see(const Reading& reading, const Origin& origin, const Instant& now);
+
+  /// None has come until `now`.
+  void wait(const Instant& now);
+
+  /// What speaks against it that its readings do not tell; none: nothing any more.
+  void note_outside(std::optional<Doubt> doubt) { outside_ = std::move(doubt); }
+
+  /// What it lets one know, given where the robot went.
+  Known known_at(const Instant& now, const Odometry& odometry, const Given& given) const;
+
+  /// [s] until it counts as silent; infinite if it does, or has never sent anything.
+  double until_silent(double now) const;
+
+  void forget_losses() { sensor_.forget_losses(); }
+  std::string remembered() const { return sensor_.remembered(); }
+  bool recall(const std::string& remembered) { return sensor_.recall(remembered); }
+
+  const std::string& name() const { return about_.name; }
+  bool is_required() const { return about_.required; }
+  const Sight& counted() const { return sensor_.counted(); }
+
+ private:
+  /// Of the latest reading that was believed.
+  struct Taken {
+    Instant arrival;
+    double time_to_arrive;  ///< [s] since its stamp, as far as that is believed
+    double lasts;           ///< [s] for which it was being taken after its stamp
+    Eye eye;
+  };
+
+  void face(const Reading& reading, const Placing& placing);
+  void take(const Reading& reading, const Origin& origin, const Instant& now);
+  std::vector<Pose2> ways_since_look(const Instant& now, const Odometry& odometry, const Given& given) const;
+
+  SensorSettings about_;
+  Settings own_;
+  double facing_ = 0.0;  ///< [rad] from base_frame's x axis: where the corridor leads that it looks down
+  Sensor sensor_;
+  Surroundings around_;
+  std::optional<Taken> taken_;
+  bool was_sound_ = false;              ///< nothing but what it cannot see any more speaks against it
+  std::optional<double> last_arrival_;  ///< [s] steady
+  std::optional<Doubt> outside_;
+};
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "../text/words.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double full_turn = 6.283185307179586;
+constexpr double off_by = 1.5;  ///< increments: drivers disagree on whether angle_max is the last beam or the next
+constexpr double longest_turn = 10.0;  ///< [s]
+constexpr std::size_t most = 1000000;  ///< beams
+constexpr float beyond = 1e4f;         ///< [m] farther than anything matters
+constexpr float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+
+void require(bool holds, const std::string& sentence) {
+  if (!holds) throw std::invalid_argument(sentence);
+}
+
+/// Written so that NaN is refused.
+void check(const Scan& scan) {
+  require(scan.size >= 1 && scan.size <= most, words("a scan of ", scan.size, " ranges"));
+  const double step = scan.angle_increment, span = step * static_cast<double>(scan.size - 1);
+  require(std::abs(scan.angle_min) <= full_turn && std::abs(scan.angle_max) <= full_turn,
+          words("angles from ", scan.angle_min, " to ", scan.angle_max, " rad"));
+  require(std::abs(step) <= full_turn && (step != 0.0 || scan.size == 1) &&
+              std::abs(span) <= full_turn + off_by * std::abs(step),
+          words(scan.size, " ranges, ", step, " rad apart"));
+  require(std::abs(scan.angle_min + span - scan.angle_max) <= off_by * std::abs(step) + 1e-6,
+          words(scan.size, " ranges, ", step, " rad apart, do not lead from ", scan.angle_min, " to ", scan.angle_max,
+                " rad"));
+  require(scan.range_min >= 0.0 && scan.range_max > scan.range_min,
+          words("range_min ", scan.range_min, " and range_max ", scan.range_max));
+  const double lasts = scan.time_increment * static_cast<double>(scan.size - 1);
+  require(scan.time_increment >= 0.0 && lasts <= longest_turn, words("time_increment ", scan.time_increment, " s"));
+  require(scan.scan_time >= 0.0 && scan.scan_time <= longest_turn, words("scan_time ", scan.scan_time, " s"));
+}
+
+std::array<float, 4> point_of(float range, double bearing, const Scan& scan) {
+  if (range == -inf) return {nan, nan, -inf, -inf};
+  const auto along = static_cast<float>(std::cos(bearing)), across = static_cast<float>(std::sin(bearing));
+  if (range == inf) return {beyond * along, beyond * across, nan, 0.0f};
+  if (!(range >= scan.range_min && range <= scan.range_max)) return {nan, nan, nan, nan};
+  return {range * along, range * across, 0.0f, 0.0f};
+}
+
+}  // namespace
+
+ScanView ScanPoints::of(const Scan& scan) {
+  check(scan);
+  points_.resize(scan.size);
+  for (std::size_t i = 0; i < scan.size; ++i)
+    points_[i] = point_of(scan.ranges[i], scan.angle_min + scan.angle_increment * static_cast<double>(i), scan);
+  CloudView points;
+  points.bytes = reinterpret_cast<const std::uint8_t*>(points_.data());
+  points.width = scan.size;
+  points.height = 1;
+  points.point_step = sizeof points_[0];
+  points.row_step = scan.size * sizeof points_[0];
+  points.offset = {0, sizeof(float), 2 * sizeof(float)};
+  const double steps = static_cast<double>(scan.size - 1), end = scan.angle_min + scan.angle_increment * steps;
+  return {points, 3 * sizeof(float), std::min(scan.angle_min, end), std::max(scan.angle_min, end),
+          std::max(scan.time_increment * steps, scan.time_increment > 0.0 ? 0.0 : scan.scan_time)};
+}
+
+}  // namespace safety_control_cloud

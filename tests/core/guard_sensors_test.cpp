@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../../safety_control_cloud/core/guard_control.hpp"
+#include "guard/guarded_robot.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// In base_frame, turned by so much around it.
+Placing turned_xtion(double heading) {
+  const double c = std::cos(heading), s = std::sin(heading);
+  Eigen::Matrix<double, 3, 4> place;
+  place << s, 0, c, -0.087 * c, -c, 0, s, -0.087 * s, 0, -1, 0, 0.2972;
+  return placing_of(place);
+}
+
+Placing laser_at(double height, double tilt = 0.0) {
+  const double c = std::cos(tilt), s = std::sin(tilt);
+  Eigen::Matrix<double, 3, 4> place;
+  place << c, 0, s, 0.0, 0, 1, 0, 0.0, -s, 0, c, height;
+  return placing_of(place);
+}
+
+constexpr std::size_t front = 0, rear = 1, laser = 2;
+
+Settings with_sensors(bool laser_is_required = true) {
+  Settings settings = guard_settings();
+  settings.sensors = {{"front", InputKind::Cloud, "front/points", true, {}},
+                      {"rear", InputKind::Cloud, "rear/points", false, {}},
+                      {"laser", InputKind::Scan, "scan", laser_is_required, {{"noise", 0.02}}}};
+  return settings;
+}
+
+/// All three sensors show; a laser of 360 beams.
+struct Robot : GuardedRobot {
+  explicit Robot(const Settings& settings = with_sensors()) : GuardedRobot(settings) {}
+
+  Scene ahead, behind;
+  std::vector<float> ranges = std::vector<float>(360, 5.0f);
+  ScanPoints scans;
+  Placing laser_place = laser_at(0.2);
+  double rear_heading = pi;
+  bool front_shows = true, rear_shows = true, laser_shows = true;
+
+  /// Something narrow, at the laser's left.
+  void shows_beside_it() {
+    for (std::size_t degrees = 267; degrees <= 273; ++degrees) ranges[degrees] = 0.35f;
+  }
+
+  void see_scan() {
+    Scan scan;
+    scan.angle_min = -pi, scan.angle_increment = 2.0 * pi / 360.0, scan.angle_max = pi - scan.angle_increment;
+    scan.scan_time = 0.1, scan.range_min = 0.1, scan.range_max = 10.0;
+    scan.ranges = ranges.data(), scan.size = ranges.size();
+    control.see(scans.of(scan), {now.ros, laser_place, "laser", "laser"}, now, laser);
+  }
+
+  /// As somebody says it again and again, and sensors that show the same; until it has settled.
+  const Guarded& drives(const Twist2& twist) {
+    for (int i = 0; i < 10; ++i) {
+      pass(0.05);
+      if (front_shows) see(ahead.view(), xtion(), front);
+      if (rear_shows) see(behind.view(), turned_xtion(rear_heading), rear);
+      if (laser_shows) see_scan();
+      wants(twist);
+    }
+    return wants(twist);
+  }
+};
+
+TEST(GuardSensors, WhatAllSeeToBeFreePassesInEveryDirection) {
+  Robot robot;
+  for (const Twist2& twist :
+       {Twist2{0.5, 0.0, 0.0}, Twist2{-0.4, 0.0, 0.0}, Twist2{0.3, 0.0, 0.8}, Twist2{0.0, 0.3, 0.0}}) {
+    const Guarded& answer = robot.drives(twist);
+    EXPECT_EQ(answer.factor, 1.0) << twist.vx << " " << twist.vy << " " << twist.w << ": " << answer.reason;
+  }
+}
+
+TEST(GuardSensors, TheOneThatSeesAnObstacleDecidesAndIsNamed) {
+  Robot robot;
+  robot.behind = Scene({wall_before(0.3)});
+  EXPECT_EQ(robot.drives({0.5, 0.0, 0.0}).factor, 1.0) << robot.drives({0.5, 0.0, 0.0}).reason;
+  const Guarded& back = robot.drives({-0.6, 0.0, 0.0});
+  EXPECT_LT(back.factor, 1.0);
+  EXPECT_EQ(back.sensor, "rear");
+  ASSERT_TRUE(back.point);
+  EXPECT_NEAR(back.point->x, -0.478, 0.05);
+}
+
+TEST(GuardSensors, ALaserSeesBesideAndBehind) {
+  Robot to_the_right, backward, robot;
+  for (Robot* one : {&to_the_right, &backward, &robot}) {
+    one->rear_shows = false;
+    one->shows_beside_it();
+  }
+  const Guarded& left = robot.drives({0.0, 0.5, 0.0});
+  EXPECT_LT(left.factor, 1.0);
+  EXPECT_EQ(left.sensor, "laser");
+  ASSERT_TRUE(left.point);
+  EXPECT_NEAR(left.point->y, 0.35, 0.03);
+  EXPECT_EQ(to_the_right.drives({0.0, -0.3, 0.0}).factor, 1.0);
+  EXPECT_EQ(backward.drives({-0.3, 0.0, 0.0}).factor, 1.0) << "the laser looks there";
+}
+
+TEST(GuardSensors, OneThatIsRequiredAndInDoubtStopsEveryMotion) {
+  for (const std::size_t lost : {front, laser}) {
+    Robot robot;
+    ASSERT_EQ(robot.drives({0.3, 0.0, 0.0}).factor, 1.0);
+    (lost == front ? robot.front_shows : robot.laser_shows) = false;
+    robot.pass(0.2);
+    robot.drives({0.3, 0.0, 0.0});
+    for (const Twist2& twist : {Twist2{0.3, 0.0, 0.0}, Twist2{-0.1, 0.0, 0.0}, Twist2{0.0, 0.0, 0.5}}) {
+      const Guarded& answer = robot.drives(twist);
+      EXPECT_EQ(answer.cause, Cause::Silent) << answer.reason;
+      EXPECT_EQ(answer.factor, 0.0);
+      EXPECT_EQ(answer.sensor, lost == front ? "front" : "laser");
+    }
+    (lost == front ? robot.front_shows : robot.laser_shows) = true;
+    EXPECT_EQ(robot.drives({0.3, 0.0, 0.0}).factor, 1.0) << "and it recovers";
+  }
+}
+
+TEST(GuardSensors, OneThatIsNotRequiredOnlyStopsToCountAsHavingSeen) {
+  Robot robot(with_sensors(false));
+  ASSERT_EQ(robot.drives({-0.3, 0.0, 0.0}).factor, 1.0);
+  robot.rear_shows = robot.laser_shows = false;
+  robot.drives({-0.3, 0.0, 0.0});
+  const Guarded& back = robot.drives({-0.3, 0.0, 0.0});
+  EXPECT_NEAR(back.given.linear[0], -0.1, 1e-9) << "nobody looks there: unseen_speed";
+  ASSERT_EQ(back.doubts.size(), std::size_t{2});
+  EXPECT_NE(back.doubts[0].find("rear: SILENT"), std::string::npos) << back.doubts[0];
+  EXPECT_EQ(robot.drives({0.3, 0.0, 0.0}).factor, 1.0);
+  EXPECT_TRUE((robot.rear_shows = robot.laser_shows = true, robot.drives({-0.3, 0.0, 0.0})).doubts.empty());
+}
+
+TEST(GuardSensors, WithoutAnyThatIsRequiredAndNoneToBelieveItStands) {
+  Settings settings = with_sensors(false);
+  settings.sensors[front].required = false;
+  Robot robot(settings);
+  ASSERT_EQ(robot.drives({0.3, 0.0, 0.0}).factor, 1.0);
+  robot.front_shows = robot.rear_shows = robot.laser_shows = false;
+  robot.drives({0.3, 0.0, 0.0});
+  EXPECT_EQ(robot.drives({0.3, 0.0, 0.0}).factor, 0.0);
+  EXPECT_EQ(robot.drives({-0.05, 0.0, 0.0}).factor, 0.0);
+}
+
+TEST(GuardSensors, AWholeScanOfInfinitiesIsBlindUnlessTheyAreFree) {
+  Settings free = with_sensors();
+  free.sensors[laser].own["inf_is_free"] = 1.0;
+  for (const bool is_free : {false, true}) {
+    Robot robot(is_free ? free : with_sensors());
+    robot.ranges.assign(360, std::numeric_limits<float>::infinity());
+    const Guarded& answer = robot.drives({-0.3, 0.0, 0.0});
+    EXPECT_EQ(answer.factor, is_free ? 1.0 : 0.0) << answer.reason;
+    EXPECT_EQ(answer.cause, is_free ? Cause::Seen : Cause::Blind);
+  }
+}
+
+TEST(GuardSensors, ABlindLaserThatLooksAllAroundLeavesNoWayAway) {
+  Robot robot;
+  ASSERT_EQ(robot.drives({-0.1, 0.0, 0.0}).factor, 1.0);
+  robot.ranges.assign(360, std::numeric_limits<float>::quiet_NaN());
+  for (const Twist2& twist : {Twist2{0.1, 0.0, 0.0}, Twist2{-0.1, 0.0, 0.0}, Twist2{0.0, 0.1, 0.0}})
+    EXPECT_EQ(robot.drives(twist).factor, 0.0) << twist.vx << " " << twist.vy;
+}
+
+TEST(GuardSensors, AScanWhosePlaneLeavesTheBandIsNoSight) {
+  for (const Placing& place : {laser_at(0.02), laser_at(0.9), laser_at(0.2, 0.4), laser_at(0.2, pi / 2.0)}) {
+    Robot robot;
+    robot.laser_place = place;
+    const Guarded& answer = robot.drives({0.1, 0.0, 0.0});
+    EXPECT_EQ(answer.cause, Cause::WrongView) << answer.reason;
+    EXPECT_EQ(answer.factor, 0.0);
+  }
+}
+
+TEST(GuardSensors, ALaserUpsideDownSeesTheOtherSide) {
+  Robot to_the_right, to_the_left;
+  Eigen::Matrix<double, 3, 4> place;
+  place << 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0.2;
+  for (Robot* robot : {&to_the_right, &to_the_left}) {
+    robot->laser_place = placing_of(place);
+    robot->shows_beside_it();
+  }
+  EXPECT_LT(to_the_right.drives({0.0, -0.5, 0.0}).factor, 1.0);
+  EXPECT_EQ(to_the_left.drives({0.0, 0.3, 0.0}).factor, 1.0);
+}
+
+/// Each camera keeps what came near along its own way of looking.
+TEST(GuardSensors, WhatARearCameraLostClosesTheWayBack) {
+  Robot robot;
+  robot.laser_shows = true;
+  robot.behind = Scene({post(0.6f, 0.0f)});
+  robot.drives({0.1, 0.0, 0.0});
+  robot.behind = Scene({post(0.35f, 0.0f)});  // nearer than the camera can see
+  const Guarded& back = robot.drives({-0.1, 0.0, 0.0});
+  EXPECT_EQ(back.factor, 0.0) << back.reason;
+  EXPECT_EQ(back.cause, Cause::NearLoss) << back.reason;
+  EXPECT_EQ(back.sensor, "rear");
+  EXPECT_EQ(robot.drives({0.5, 0.0, 0.0}).factor, 1.0) << "the front camera looks there: " << back.reason;
+}
+
+TEST(GuardSensors, ACameraThatLooksUpIsNoSight) {
+  Settings settings = guard_settings();
+  settings.sensors = {{"up", InputKind::Cloud, "up/points", true, {}}};
+  GuardedRobot robot(settings);
+  Eigen::Matrix<double, 3, 4> place;
+  place << 0, -1, 0, 0, -1, 0, 0, 0.0, 0, 0, 1, 0.2972;
+  const Scene scene;
+  for (int i = 0; i < 10; ++i) {
+    robot.pass(0.05);
+    robot.see(scene.view(), placing_of(place));
+    EXPECT_EQ(robot.wants({0.05, 0.0, 0.0}).factor, 0.0);
+  }
+  EXPECT_EQ(robot.wants({0.05, 0.0, 0.0}).cause, Cause::WrongView) << robot.wants({0.05, 0.0, 0.0}).reason;
+}
+
+TEST(GuardSensors, WhatEachRemembersOutlivesTheProcessInTheirOrder) {
+  Robot before;
+  before.behind = Scene({post(0.6f, 0.0f)});
+  before.drives({0.1, 0.0, 0.0});
+  const auto remembered = before.control.remembered();
+  ASSERT_EQ(remembered.size(), std::size_t{3});
+  EXPECT_TRUE(remembered[front].empty());
+  EXPECT_FALSE(remembered[rear].empty());
+  Robot after;
+  ASSERT_TRUE(after.control.recall(remembered));
+  after.behind = Scene({post(0.35f, 0.0f)});
+  EXPECT_EQ(after.drives({-0.1, 0.0, 0.0}).factor, 0.0);
+  EXPECT_FALSE(Robot().control.recall({remembered[rear]})) << "of another number of sensors";
+}
+
+TEST(GuardSensors, TheSoonestToBeSilentIsTold) {
+  Settings settings = with_sensors();
+  settings.sensors[laser].own["source_timeout"] = 0.2;
+  Robot robot(settings);
+  EXPECT_TRUE(std::isinf(robot.control.until_silent(robot.now.steady)));
+  robot.drives({0.1, 0.0, 0.0});
+  EXPECT_NEAR(robot.control.until_silent(robot.now.steady), 0.2, 1e-9);
+  robot.pass(0.3);
+  EXPECT_NEAR(robot.control.until_silent(robot.now.steady), 0.2, 1e-9) << "the cameras', the laser is";
+  EXPECT_EQ(robot.wants({0.1, 0.0, 0.0}).cause, Cause::Silent);
+}
+
+TEST(GuardSensors, ALiveChangeHoldsForAllAndLeavesEachItsOwn) {
+  Robot robot;
+  ASSERT_EQ(robot.drives({0.5, 0.0, 0.0}).factor, 1.0);
+  Settings changed = with_sensors();
+  changed.max_speed = 0.25;
+  robot.control.adopt(changed);
+  EXPECT_NEAR(robot.drives({0.5, 0.0, 0.0}).given.linear[0], 0.25, 1e-9);
+}
+
+}  // namespace
+}  // namespace safety_control_cloud
