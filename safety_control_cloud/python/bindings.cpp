@@ -9,25 +9,19 @@
 
 namespace {
 
-/// Where no ROS time is given, the caller's 0 is a time like any other, and not ROS's for "none".
-double ros_time(std::optional<double> ros_now, double now) {
-  constexpr double just_after_zero = 1e-9;
-  return ros_now.value_or(now == 0.0 ? just_after_zero : now);
-}
-
 /// With stamp and ros_now left out, every cloud is as old as it should be.
 core::Decision decide(core::SafetyControl& control, const py::object& given, double now, bool crop,
                       std::optional<double> stamp, std::optional<double> ros_now, const py::object& camera,
                       const std::string& source, const std::string& frame) {
   const bindings::BorrowedCloud cloud = bindings::cloud_in(given);
-  const core::Instant instant{now, ros_time(ros_now, now)};
+  const core::Instant instant = bindings::instant_of(now, ros_now);
   const core::Origin origin{stamp.value_or(instant.ros), bindings::placing_in(camera), source, frame};
   const py::gil_scoped_release unlocked;
   return control.decide(cloud.reading, origin, instant, bindings::crop_if(crop));
 }
 
 core::Decision without_cloud(core::SafetyControl& control, double now, std::optional<double> ros_now) {
-  return control.without_cloud(core::Instant{now, ros_time(ros_now, now)});
+  return control.without_cloud(bindings::instant_of(now, ros_now));
 }
 
 void bind_rules(py::module& module) {
@@ -60,6 +54,7 @@ PYBIND11_MODULE(core, module) {
   bindings::bind_clouds(module);
   bindings::bind_results(module);
   bindings::bind_path(module);
+  bindings::bind_guard(module);
   bind_rules(module);
   bind_control(module);
   bindings::document(module);

@@ -5,6 +5,8 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <optional>
+
 #include "../core/safety_control.hpp"
 
 namespace py = pybind11;
@@ -28,10 +30,17 @@ BorrowedCloud cloud_in(const py::object& given);
 /// Where a camera is, by the matrix that takes its frame to target_frame; None: in its own.
 core::Placing placing_in(const py::object& camera);
 
+/// Where no ROS time is given, the caller's 0 is a time like any other, and not ROS's for "none".
+inline core::Instant instant_of(double now, std::optional<double> ros_now) {
+  constexpr double just_after_zero = 1e-9;
+  return {now, ros_now.value_or(now == 0.0 ? just_after_zero : now)};
+}
+
 void bind_settings(py::module& module);  ///< first: all that takes Settings has them as a default
 void bind_clouds(py::module& module);
 void bind_results(py::module& module);
 void bind_path(py::module& module);
+void bind_guard(py::module& module);
 
 /// core.pyi's docstrings, for help(); last. pybind11 itself takes one only where a function is defined.
 void document(py::module& module);

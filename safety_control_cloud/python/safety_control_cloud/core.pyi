@@ -242,6 +242,78 @@ class SafetyControl:
     def remembered(self) -> List[str]:
         """What is near or lost, a text for each camera, as the node keeps it in ~lost/things; empty if nothing is."""
 
+class Command:
+    """A velocity command as it comes, a geometry_msgs/Twist."""
+
+    linear: List[float]  # [m/s] x forward, y left, z up
+    angular: List[float]  # [rad/s] about them; about z: turning left
+    def __init__(self, linear: Sequence[float] = ..., angular: Sequence[float] = ...) -> None: ...
+
+class Guarded:
+    """What the guard lets through, and why no more."""
+
+    wanted: Command
+    given: Command
+    factor: float  # given is so much of wanted; 1: nothing was taken from it
+    time_to_contact: float  # [s] of wanted; infinite if nothing is touched before the robot could stand
+    sensor: str  # that decided; empty: none did
+    cause: Cause
+    reason: str  # the cause in words, with its figures
+    open: int  # while it is stuck: bits of the directions in which it may move, as in SafetyState.msg
+    override_left: float  # [s] for which what is seen is not asked; 0: it is
+    sight: Sight  # what the latest cloud held
+    @property
+    def point(self) -> Optional[Tuple[float, float]]:
+        """x, y [m] in base_frame, that decided; None: none did."""
+    @property
+    def stuck_since(self) -> Optional[float]:
+        """[s] of `now`, while something is wanted and nothing is given."""
+
+class GuardControl:
+    """Mode guard: what is safe of what somebody else wants. Times as in SafetyControl."""
+
+    def __init__(self, settings: Settings) -> None:
+        """Raises ValueError with all settings.problems(), if there are any."""
+    def see(
+        self,
+        cloud: Union[Cloud, np.ndarray],
+        now: float,
+        stamp: Optional[float] = None,
+        ros_now: Optional[float] = None,
+        camera: Optional[Union[np.ndarray, str]] = None,
+        source: str = "",
+        frame: str = "",
+    ) -> None:
+        """A cloud has come, readable or not; `camera` is where it is in base_frame, else as in SafetyControl.decide."""
+    def want(
+        self,
+        linear: Sequence[float],
+        angular: Sequence[float],
+        now: float,
+        stamp: Optional[float] = None,
+        ros_now: Optional[float] = None,
+    ) -> None:
+        """Somebody wants this, three numbers each; `stamp` [s]: of a TwistStamped."""
+    def note_odometry(self, stamp: float, pose: Sequence[float], twist: Sequence[float]) -> None:
+        """The base says at `stamp` [s, ROS time] that it is at x, y [m], heading [rad] of a frame that rests, and moves
+        with vx, vy [m/s], w [rad/s] of its own."""
+    def note_outside(self, cause: Optional[Cause], reason: str = "") -> None:
+        """What is in doubt outside of the sensors: from the next answer on it stands for it, until there is none."""
+    def ask_override(
+        self, seconds: float, speed: float, now: float, ros_now: Optional[float] = None, even_in_doubt: bool = False
+    ) -> Tuple[bool, str]:
+        """Whether for a while nobody asks what is seen, and why not or what holds now."""
+    def answer(self, now: float, ros_now: Optional[float] = None) -> Guarded:
+        """What holds now; it is taken for said to the base."""
+    def adopt(self, settings: Settings) -> None:
+        """Goes on with other settings; raises as the constructor does and then keeps the old ones."""
+    def forget_losses(self) -> None:
+        """As SafetyControl's."""
+    def remembered(self) -> List[str]:
+        """As SafetyControl's."""
+    def recall(self, remembered: List[str]) -> bool:
+        """Goes on with what another one remembered; False if that is not legible."""
+
 def look(
     cloud: Union[Cloud, np.ndarray], settings: Settings = ..., crop: bool = False, camera: Optional[np.ndarray] = None
 ) -> Sight:
