@@ -5,6 +5,7 @@ import pytest
 
 from rooms import FLOOR, box, room, wall_at
 from safety_control_cloud.simulation.base import Pose
+from safety_control_cloud.simulation.hull import Rectangle
 from safety_control_cloud.simulation.robot import BODY_RADIUS
 from safety_control_cloud.simulation.world import BOX_SIDE, World
 from safety_control_cloud.simulation.world_files import world_file, world_names
@@ -113,3 +114,18 @@ def test_worlds_from_text_may_use_the_scenery():
     thing = box("b", 2, 0, (0.1, 0.1, 0.1))
     world = World.from_xml(f'<mujoco><include file="_scenery.xml"/><worldbody>{thing}</worldbody></mujoco>')
     assert world.clearance(5.0) == pytest.approx(2 - 0.1 - BODY_RADIUS, abs=1e-6)
+
+
+@pytest.mark.parametrize("x, y, touches", [(0.24, 0.0, True), (0.26, 0.0, False), (-0.33, 0.23, True), (-0.1, 0.26, False)])
+def test_a_robot_with_another_hull_touches_things_with_that(x, y, touches):
+    post = f'<geom name="post" type="cylinder" size="0.05 0.5" pos="{x} {y} 0.5"/>'
+    world = World.from_xml(f"<mujoco><worldbody>{post}</worldbody></mujoco>", hull=Rectangle(-0.3, 0.2, 0.2))
+    assert bool(world.contacts()) == touches
+    assert (world.clearance() < 0) == touches
+
+
+def test_a_contacts_normal_leads_from_the_robot_into_the_obstacle():
+    for x, y in ((0.2, 0.0), (0.0, -0.2)):
+        world = World.from_xml(f'<mujoco><worldbody><geom type="cylinder" size="0.05 0.5" pos="{x} {y} 0.5"/></worldbody></mujoco>')
+        contact = world.contacts()[0]
+        assert contact.normal == pytest.approx((x / 0.2, y / 0.2, 0.0), abs=0.02)

@@ -2,6 +2,7 @@
 """The robot's hull, and what it touches among upright things, by geometry: for Gazebo, which tells ROS of no contact."""
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import cos, hypot, sin
 from typing import Iterable, Iterator
 
@@ -19,6 +20,21 @@ _CYLINDERS = (  # radius, lowest, highest [m]: the Kobuki, and the tower of plat
     (BODY_RADIUS, BODY_CENTRE - BODY_HEIGHT / 2, BODY_CENTRE + BODY_HEIGHT / 2),
     (TOWER_RADIUS, PLATES[0], PLATES[-1]),
 )
+
+
+@dataclass(frozen=True)
+class Rectangle:
+    """Another hull than the TurtleBot's two cylinders: as high as they, seen from above in base_footprint [m]."""
+
+    back: float  # x
+    front: float  # x
+    half_width: float
+
+    @property
+    def corners(self) -> tuple[tuple[float, float], ...]:
+        """Anticlockwise, as the parameter `footprint` has them."""
+        return ((self.front, self.half_width), (self.back, self.half_width),
+                (self.back, -self.half_width), (self.front, -self.half_width))
 
 
 def touched(things: Iterable[Thing], robot: Pose, nearer_than: float = 0.0) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ from math import cos, degrees, radians, sin, sqrt
 
 from .base import WHEEL_RADIUS, WHEEL_SEPARATION
 from .gl import mujoco
-from .hull import BODY_CENTRE, BODY_HEIGHT, BODY_RADIUS, PLATES, TOWER_RADIUS
+from .hull import BODY_CENTRE, BODY_HEIGHT, BODY_RADIUS, PLATES, TOWER_RADIUS, Rectangle
 from .sensor import Xtion
 
 PREFIX = "turtlebot/"
@@ -28,14 +28,20 @@ _WOOD = (0.24, 0.20, 0.17, 1)
 _STEEL = (0.72, 0.73, 0.75, 1)
 
 
-def add_turtlebot(spec: mujoco.MjSpec, xtion: Xtion) -> None:
-    """Put the robot at the world's origin, free to be placed by its four JOINTS [m, m, rad, rad]."""
+def add_turtlebot(spec: mujoco.MjSpec, xtion: Xtion, hull: Rectangle | None = None) -> None:
+    """Put the robot at the world's origin, free to be placed by its four JOINTS [m, m, rad, rad].
+
+    `hull`: in place of its own.
+    """
     body = spec.worldbody.add_body(name=BODY)
     slide, hinge = mujoco.mjtJoint.mjJNT_SLIDE, mujoco.mjtJoint.mjJNT_HINGE
     kinds_and_axes = ((slide, (1, 0, 0)), (slide, (0, 1, 0)), (hinge, (0, 0, 1)), (hinge, (0, 1, 0)))
     for name, (kind, axis) in zip(JOINTS, kinds_and_axes):
         body.add_joint(name=name, type=kind, axis=axis)
-    _add_hull(body)
+    if hull:
+        _add_box(body, hull)
+    else:
+        _add_hull(body)
     _add_looks(body, xtion)
     body.add_camera(name=CAMERA, pos=xtion.mount, quat=OPTICAL_TO_GL, fovy=degrees(xtion.vertical_view))
 
@@ -51,6 +57,15 @@ def _add_hull(body: mujoco.MjsBody) -> None:
     body.add_geom(
         name=PREFIX + "tower", type=cylinder, size=(TOWER_RADIUS, (high - low) / 2, 0), pos=(0, 0, (low + high) / 2),
         mass=1.0, rgba=(0, 0, 0, 0), group=GROUP, contype=1, conaffinity=1,
+    )
+
+
+def _add_box(body: mujoco.MjsBody, hull: Rectangle) -> None:
+    low, high = BODY_CENTRE - BODY_HEIGHT / 2, PLATES[-1]
+    body.add_geom(
+        name=PREFIX + "hull", type=mujoco.mjtGeom.mjGEOM_BOX, mass=BODY_MASS, rgba=_BLACK, group=GROUP,
+        size=((hull.front - hull.back) / 2, hull.half_width, (high - low) / 2),
+        pos=((hull.front + hull.back) / 2, 0, (low + high) / 2), contype=1, conaffinity=1,
     )
 
 

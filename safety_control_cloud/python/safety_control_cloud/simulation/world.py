@@ -12,6 +12,7 @@ from . import robot
 from .base import Pose
 from .furniture import BOX_COLOUR, BOX_SIDE, BOXES
 from .gl import mujoco
+from .hull import Rectangle
 from .mjcf import NATIVE_CCD, spec_of_file, spec_of_text
 from .sensor import Xtion
 from .world_files import START, world_file
@@ -25,14 +26,15 @@ class Contact:
     obstacle: str  # name of the geom, or of its body
     point: tuple[float, float, float]  # [m] in odom
     depth: float  # [m] how far the two overlap
+    normal: tuple[float, float, float] = (0.0, 0.0, 0.0)  # of length 1, from the robot into the obstacle
 
 
 class World:
     """Everything stands where it was last put: nothing falls or is pushed away. Takes the MjSpec over."""
 
-    def __init__(self, spec: mujoco.MjSpec, xtion: Xtion = Xtion()) -> None:
+    def __init__(self, spec: mujoco.MjSpec, xtion: Xtion = Xtion(), hull: Rectangle | None = None) -> None:
         self.xtion = xtion
-        robot.add_turtlebot(spec, xtion)
+        robot.add_turtlebot(spec, xtion, hull)
         self._boxes = [_add_box(spec, place) for place in range(BOXES)]
         self._dropped = 0
         self.model = spec.compile()
@@ -55,9 +57,9 @@ class World:
         return cls(spec_of_file(world_file(name)), xtion)
 
     @classmethod
-    def from_xml(cls, text: str, xtion: Xtion = Xtion()) -> World:
+    def from_xml(cls, text: str, xtion: Xtion = Xtion(), hull: Rectangle | None = None) -> World:
         """From MJCF in a string; it may include the worlds' own files, such as `_scenery.xml`."""
-        return cls(spec_of_text(text), xtion)
+        return cls(spec_of_text(text), xtion, hull)
 
     def place_robot(self, pose: Pose, pitch: float = 0.0) -> None:
         self.data.qpos[self._joints] = (pose.x, pose.y, pose.yaw, pitch)
@@ -71,8 +73,10 @@ class World:
         for contact in self.data.contact[: self.data.ncon]:
             ours = self._hull.intersection(contact.geom)
             if ours and contact.dist < 0:
+                away = -1.0 if contact.geom[1] in ours else 1.0  # MuJoCo's normal leads from the first geom to the second
                 other = int(contact.geom[0] if contact.geom[1] in ours else contact.geom[1])
-                found.append(Contact(self._name(other), tuple(map(float, contact.pos)), -float(contact.dist)))
+                found.append(Contact(self._name(other), tuple(map(float, contact.pos)), -float(contact.dist),
+                                     tuple(away * float(side) for side in contact.frame[:3])))
         return tuple(found)
 
     def clearance(self, farthest: float = 1.0) -> float:
