@@ -7,13 +7,13 @@ import sys
 from collections.abc import Sequence
 from datetime import date
 from shlex import quote
+from typing import Any
 
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from ..view.options import recorded_in
 from .names import METHODS
-from .outcome import Outcome
 from .run import Job, drive_all, jobs_for
 from .summary import is_collision, to_json
 from .table import table_of, verdict_of
@@ -28,6 +28,11 @@ def run(given: argparse.Namespace) -> int:
 
 
 def _replay(given: argparse.Namespace, methods: Sequence[str]) -> int:
+    if given.driver:
+        from .guarded import replay as guarded
+
+        guarded.replay(*given.replay, methods, _console())
+        return 0
     from .replay import replay
 
     with recorded_in(given.rrd, given.view) as rrd:
@@ -36,7 +41,9 @@ def _replay(given: argparse.Namespace, methods: Sequence[str]) -> int:
 
 
 def _drive(given: argparse.Namespace, methods: Sequence[str]) -> int:
-    outcomes = _with_progress(jobs_for(given.episodes, given.seed, methods, given.family), given)
+    outcomes = _with_progress(jobs_for(given.episodes, given.seed, methods, given.family, given.driver or ""), given)
+    if given.driver:
+        return _tell_guarded(outcomes, given)
     console = _console()
     console.print(table_of(outcomes))
     for line in verdict_of(outcomes):
@@ -50,6 +57,22 @@ def _drive(given: argparse.Namespace, methods: Sequence[str]) -> int:
     return COLLIDED if any(is_collision(one) and one.method == "ours" for one in outcomes) else 0
 
 
+def _tell_guarded(outcomes: Sequence[Any], given: argparse.Namespace) -> int:
+    from .guarded import summary, table
+
+    console = _console()
+    console.print(table.table_of(outcomes))
+    for line in table.verdict_of(outcomes):
+        console.print(line, highlight=False)
+    if given.json:
+        given.json.write_text(summary.to_json(outcomes) + "\n")
+    if given.report:
+        from .guarded.report import write_report
+
+        console.print(f"report: {write_report(outcomes, given.report, given.driver, _made_by(given.seed))}")
+    return COLLIDED if any(summary.is_failure(one) and one.method == "ours" for one in outcomes) else 0
+
+
 def _made_by(seed: int) -> str:
     return f"scripts/trials {' '.join(map(quote, sys.argv[1:]))}  (seed {seed}, {date.today().isoformat()})"
 
@@ -58,7 +81,7 @@ def _console() -> Console:
     return Console(width=None if sys.stdout.isatty() else 130)
 
 
-def _with_progress(jobs: Sequence[Job], given: argparse.Namespace) -> list[Outcome]:
+def _with_progress(jobs: Sequence[Job], given: argparse.Namespace) -> list[Any]:
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
         task = progress.add_task("drives", total=len(jobs))

@@ -68,6 +68,11 @@ class Clouds:
         self._under_way: deque[tuple[float, float, np.ndarray]] = deque()  # arrival [s], stamp [s], depth [m]
         self._last: np.ndarray | None = None
 
+    @property
+    def latest(self) -> np.ndarray | None:
+        """[m] the picture that was taken last."""
+        return self._last
+
     def take(self, now: float) -> None:
         faults = self._scenario.faults
         late = float(self._random.uniform(*faults.lateness))

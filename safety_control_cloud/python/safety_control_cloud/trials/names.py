@@ -12,3 +12,7 @@ FAMILIES = (  # in the order in which episodes are shared out
     *("dropouts", "camera_dies", "frozen", "late", "skewed_clock", "speckle", "flying_pixels"),
     *("hall", "hall_with_posts_beside", "doorway", "passage", "bumps"),
 )
+DRIVERS = {  # whom the guard has before it, and his families
+    "rude": ("rude_boxes", "rude_posts", "rude_room", "rude_doorway", "rude_people", "rude_walkers", "rude_mixed"),
+    "polite": ("polite_doorway", "polite_posts", "polite_passage"),
+}

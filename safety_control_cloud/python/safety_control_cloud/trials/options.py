@@ -8,22 +8,27 @@ from os import cpu_count
 from pathlib import Path
 
 from ..view import options as view
-from .names import FAMILIES, METHODS
+from .names import DRIVERS, FAMILIES, METHODS
 
+ALL = (*FAMILIES, *(family for families in DRIVERS.values() for family in families))
 PURPOSE = "Randomised drives in simulation: does the robot run into things?"
 
 
 def options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
-        prog="trials", description=PURPOSE, epilog="Exit code 1: our method has run into something it could have seen.")
+        prog="trials", description=PURPOSE, epilog="Exit code 1: our method has run into something it could have seen; "
+        "as a guard: into something in view, or it held up a polite driver for good.")
+    parser.add_argument("--driver", choices=(*DRIVERS,), help="somebody else drives, and the methods guard: one who tries to "
+                        "hit things, or one who follows a path")
     parser.add_argument("--episodes", metavar="N", type=_positive, default=1000,
                         help="shared out among the families [%(default)s]")
     parser.add_argument("--seed", metavar="S", type=int, default=1,
                         help="of the first episode of each family [%(default)s]")
     parser.add_argument("--jobs", metavar="J", type=_positive, default=cpu_count() or 1, help="processes [%(default)s]")
     parser.add_argument("--method", choices=(*METHODS, "both"), default="both", help="[%(default)s]")
-    parser.add_argument("--family", choices=FAMILIES, action="append", default=[], metavar="F",
-                        help=f"only this one; may be repeated: {', '.join(FAMILIES)}")
+    parser.add_argument("--family", choices=ALL, action="append", default=[], metavar="F",
+                        help=f"only this one; may be repeated: {', '.join(FAMILIES)}; "
+                        + "; ".join(f"{driver}: {', '.join(names)}" for driver, names in DRIVERS.items()))
     parser.add_argument("--json", metavar="F", type=view.writable, help="write the table and every outcome")
     parser.add_argument("--report", metavar="DIR", type=Path,
                         help="write a page with the table, histograms and our collisions")
@@ -37,6 +42,13 @@ def options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     for name in ("video", "rrd", "view"):
         if getattr(given, name) and not given.replay:
             parser.error(f"--{name} goes with --replay")
+        if getattr(given, name) and given.driver:
+            parser.error(f"--{name} does not go with --driver")
+    families = DRIVERS[given.driver] if given.driver else FAMILIES
+    for family in [*given.family, *([given.replay[0]] if given.replay else [])]:
+        if family not in families:
+            parser.error(f"{family} does not go with {'--driver ' + given.driver if given.driver else 'no --driver'}: "
+                         f"the families are {', '.join(families)}")
     return given
 
 
@@ -49,6 +61,6 @@ def _positive(text: str) -> int:
 
 def _scenario(text: str) -> tuple[str, int]:
     family, _, seed = text.partition(":")
-    if family not in FAMILIES or not seed.isdigit():
-        raise argparse.ArgumentTypeError(f"{text!r} is not FAMILY:SEED; the families are {', '.join(FAMILIES)}")
+    if family not in ALL or not seed.isdigit():
+        raise argparse.ArgumentTypeError(f"{text!r} is not FAMILY:SEED; the families are {', '.join(ALL)}")
     return family, int(seed)

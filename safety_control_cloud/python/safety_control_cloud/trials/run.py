@@ -7,14 +7,17 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import safety_control_cloud
 
 from ..dispatch import Fatal, Lost, shared_out
 from ..local_crew import LocalCrew
-from .families import FAMILIES
+from .families import DRIVEN, FAMILIES
 from .outcome import Outcome
+
+if TYPE_CHECKING:
+    from .guarded.outcome import Outcome as Guarded
 
 
 @dataclass(frozen=True)
@@ -22,20 +25,29 @@ class Job:
     family: str
     seed: int
     method: str
+    driver: str = ""  # somebody else, whom the method guards; none: the method drives
 
 
-def jobs_for(episodes: int, seed: int, methods: Sequence[str], families: Sequence[str] = ()) -> tuple[Job, ...]:
+def jobs_for(
+    episodes: int, seed: int, methods: Sequence[str], families: Sequence[str] = (), driver: str = ""
+) -> tuple[Job, ...]:
     """`episodes` of each method, shared out evenly among the families; in each, seeds from `seed` upward."""
-    names = tuple(families) or tuple(FAMILIES)
+    names = tuple(families) or tuple(DRIVEN[driver] if driver else FAMILIES)
     scenarios = [(names[i % len(names)], seed + i // len(names)) for i in range(episodes)]
-    return tuple(Job(family, number, method) for family, number in scenarios for method in methods)
+    return tuple(Job(family, number, method, driver) for family, number in scenarios for method in methods)
 
 
-def drive(job: Job) -> Outcome:
-    from .episode import episode  # brings MuJoCo: only where it is needed
+def drive(job: Job) -> Outcome | Guarded:
     from .families import scenario_of
 
-    return episode(scenario_of(job.family, job.seed), job.method)
+    scenario = scenario_of(job.family, job.seed)
+    if job.driver:
+        from .guarded.drive import guarded_drive
+
+        return guarded_drive(scenario, job.method)
+    from .episode import episode  # brings MuJoCo: only where it is needed
+
+    return episode(scenario, job.method)
 
 
 def drive_all(

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..simulation.base import Pose
+from ..simulation.hull import Rectangle
 from ..simulation.sensor import Xtion
 from .camera_faults import CameraFaults, Spell
 from .things import Thing
@@ -37,7 +38,10 @@ class Scenario:
     faults: CameraFaults = CameraFaults()
     stray: float = 0.0  # share of the pixels too near for the camera that return any depth
     turns: tuple[Turn, ...] = ()
-    settings: tuple[tuple[str, float], ...] = ()  # of the node, other than its defaults
+    settings: tuple[tuple[str, float | str], ...] = ()  # of the node, other than its defaults
+    hull: Rectangle | None = None  # in place of the TurtleBot's
+    route: tuple[tuple[float, float], ...] = ()  # x, y [m] of a polite driver's way; the last is where he wants to be
+    odometry: bool = True  # whether the base says where it is
     limit: str = ""  # why one forward depth camera cannot do it, if so
     facts: tuple[tuple[str, float], ...] = field(default=())  # what was drawn, for the report
 

@@ -35,7 +35,7 @@ class Stage:
 
     def __init__(self, scenario: Scenario) -> None:
         self._scenario = scenario
-        self._world = World.from_xml(_mjcf(scenario), replace(XTION, stray=scenario.stray))
+        self._world = World.from_xml(_mjcf(scenario), replace(XTION, stray=scenario.stray), scenario.hull)
         model = self._world.model
         self._geoms = {thing.name: model.geom(thing.name).id for thing in scenario.things}
         self._mocaps = [(thing, model.body(thing.name).mocapid[0]) for thing in scenario.things if thing.path]

@@ -63,12 +63,12 @@ def sound(outcomes: Iterable[Outcome]) -> list[Outcome]:
 def to_json(outcomes: Sequence[Outcome]) -> str:
     """Rows and outcomes; what is not finite becomes null."""
     document = {"families": [asdict(one) for one in rows(outcomes)], "episodes": [asdict(one) for one in outcomes]}
-    return json.dumps(_without_nan(document), indent=1, allow_nan=False)
+    return json.dumps(without_nan(document), indent=1, allow_nan=False)
 
 
-def _without_nan(value):
+def without_nan(value):
     if isinstance(value, dict):
-        return {key: _without_nan(one) for key, one in value.items()}
+        return {key: without_nan(one) for key, one in value.items()}
     if isinstance(value, (list, tuple)):
-        return [_without_nan(one) for one in value]
+        return [without_nan(one) for one in value]
     return None if isinstance(value, float) and not isfinite(value) else value

@@ -14,6 +14,7 @@ from ..deciders import tutorial_verdict
 from ..things import Path, Thing, wall
 
 if TYPE_CHECKING:
+    from ...simulation.hull import Rectangle
     from ..camera_faults import CameraFaults
     from ..scenario import Turn
 
@@ -33,7 +34,10 @@ class Draft:
     seconds: float | None = None
     faults: CameraFaults | None = None
     turns: tuple[Turn, ...] | None = None
-    settings: tuple[tuple[str, float], ...] | None = None
+    settings: tuple[tuple[str, float | str], ...] | None = None
+    hull: Rectangle | None = None
+    route: tuple[tuple[float, float], ...] | None = None
+    odometry: bool | None = None
     limit: str | None = None
 
 

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What would have been safe, by the scene itself: rolled out in small steps, with no part of the guard."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import ceil, cos, hypot, sin, sqrt
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...simulation.base import DRIVER, Pose, Velocity
+from ...simulation.hull import BODY_RADIUS, Rectangle
+from ..scenario import Scenario
+from ..things import Thing
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray  # not in the numpy of Ubuntu 20.04
+
+STEP = 0.005  # [m] of the fastest point of the hull
+SPACING = 0.01  # [m] between two points of a thing's outline
+LOWEST = 0.05  # [m] above the floor: what is lower is none of the guard's business
+
+
+@dataclass(frozen=True)
+class Law:
+    """By which a robot is to be able to stop: `reaction` [s] after the moment, `margin` [m] before what is there."""
+
+    reaction: float
+    margin: float
+
+    def greatest(self, time: float, wanted: Velocity) -> float:
+        """The greatest s <= 1 with s T + s^2 t_b / 2 <= `time` [s] until the wanted motion touches something."""
+        braking = max(abs(wanted.linear) / DRIVER.deceleration, abs(wanted.angular) / DRIVER.angular)
+        if time >= self.reaction + braking / 2:
+            return 1.0
+        return (sqrt(self.reaction ** 2 + 2 * braking * time) - self.reaction) / braking if time > 0 else 0.0
+
+    def horizon(self, wanted: Velocity) -> float:
+        """[s] beyond which a contact takes nothing from the wish."""
+        return self.reaction + max(abs(wanted.linear) / DRIVER.deceleration, abs(wanted.angular) / DRIVER.angular) / 2
+
+
+class Ground:
+    """A scene from above."""
+
+    def __init__(self, scenario: Scenario) -> None:
+        self._hull = scenario.hull
+        self._things = [(thing, _outline(thing)) for thing in scenario.things if thing.bottom + thing.size[2] > LOWEST]
+
+    def greatest_factor(self, wanted: Velocity, pose: Pose, now: float, law: Law) -> float | None:
+        """Of a wish, as everything stands now; None where nothing is wanted, or something is within the margin already."""
+        fastest = abs(wanted.linear) + abs(wanted.angular) * _reach(self._hull)
+        horizon = law.horizon(wanted)
+        if fastest < 0.02:
+            return None
+        points = self._near(pose, now, _reach(self._hull) + law.margin + fastest * horizon)
+        if not len(points):
+            return 1.0
+        if from_hull(self._hull, points).min() <= law.margin:
+            return None
+        times = np.linspace(0.0, horizon, ceil(fastest * horizon / STEP) + 1)
+        for time in times[1:]:
+            if from_hull(self._hull, _seen_after(points, wanted, time)).min() <= law.margin:
+                return law.greatest(time, wanted)
+        return 1.0
+
+    def _near(self, pose: Pose, now: float, reach: float) -> NDArray[np.float64]:
+        """(n, 2) outlines' points [m] as the robot sees them."""
+        found = [np.empty((0, 2))]
+        for thing, outline in self._things:
+            points = outline + np.array(thing.place(now)) - (pose.x, pose.y)
+            found.append(points[np.hypot(*points.T) <= reach])
+        return np.vstack(found) @ _rotation(pose.yaw)
+
+
+def from_hull(hull: Rectangle | None, points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(n,) [m] from the hull; less than 0 inside."""
+    if hull is None:
+        return np.hypot(*points.T) - BODY_RADIUS
+    beyond = np.abs(points - [(hull.front + hull.back) / 2, 0.0]) - [(hull.front - hull.back) / 2, hull.half_width]
+    return np.hypot(*np.maximum(beyond, 0.0).T) + np.minimum(beyond.max(axis=1), 0.0)
+
+
+def point_speed(velocity: Velocity, pose: Pose, point: tuple[float, float], normal: tuple[float, float]) -> float:
+    """[m/s] along a normal, of the hull at a point; both in the world."""
+    x = velocity.linear * cos(pose.yaw) - velocity.angular * (point[1] - pose.y)
+    y = velocity.linear * sin(pose.yaw) + velocity.angular * (point[0] - pose.x)
+    length = hypot(*normal)
+    return (x * normal[0] + y * normal[1]) / length if length > 1e-6 else 0.0
+
+
+def _reach(hull: Rectangle | None) -> float:
+    return BODY_RADIUS if hull is None else max(hypot(x, y) for x, y in hull.corners)
+
+
+def _seen_after(points: NDArray[np.float64], velocity: Velocity, time: float) -> NDArray[np.float64]:
+    turn = velocity.angular * time
+    chord = velocity.linear * time * (sin(turn / 2) / (turn / 2) if abs(turn) > 1e-9 else 1.0)
+    return (points - [chord * cos(turn / 2), chord * sin(turn / 2)]) @ _rotation(turn)
+
+
+def _rotation(angle: float) -> NDArray[np.float64]:
+    """Of rows, from a frame into one that is turned by the angle [rad] in it."""
+    c, s = cos(angle), sin(angle)
+    return np.array([[c, -s], [s, c]])
+
+
+def _outline(thing: Thing) -> NDArray[np.float64]:
+    """(n, 2) [m] around its middle."""
+    length, width, _ = thing.size
+    if thing.round:
+        angles = np.linspace(0, 2 * np.pi, max(16, ceil(np.pi * length / SPACING)), endpoint=False)
+        return np.column_stack([np.cos(angles), np.sin(angles)]) * length / 2
+    along, across = (np.linspace(-side / 2, side / 2, ceil(side / SPACING) + 1) for side in (length, width))
+    sides = [np.column_stack(pair) for side in (1, -1) for pair in (
+        (along, np.full_like(along, side * width / 2)), (np.full_like(across, side * length / 2), across))]
+    return np.vstack(sides) @ _rotation(-thing.at.yaw)
