@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""scripts/demo: a TurtleBot drives up to a cabinet, slows down and stands; it is moved back, and does it again."""
+"""scripts/demo: a TurtleBot drives up to a cabinet, slows down and stands; it is moved back, and does it again.
+
+As `guard`: somebody tries to hit things with it for two minutes, and the node stands between him and the base."""
 from __future__ import annotations
 
 import argparse
@@ -15,15 +17,22 @@ from ..view.options import add_to, make, recorded_in
 def main(argv: list[str]) -> int:
     parser = argparse.ArgumentParser(
         prog="demo", description=__doc__.split(": ", 1)[1],
-        epilog="Ends with 0 only if the robot stood in Danger, having touched nothing, both times.")
-    parser.add_argument("--world", default="cabinet", type=_world,
-                        help=f"{', '.join(world_names())}, or an MJCF file (%(default)s)")
+        epilog="Ends with 0 only if the robot stood in Danger, having touched nothing, both times; as guard, if it touched "
+        "nothing.")
+    parser.add_argument("what", nargs="?", default="approach", choices=("approach", "guard"), help="(%(default)s)")
+    parser.add_argument("--world", type=_world,
+                        help=f"{', '.join(world_names())}, or an MJCF file (cabinet; as guard, playground)")
+    parser.add_argument("--seconds", type=float, default=120.0, help="as guard: so long [s] somebody drives (%(default)s)")
+    parser.add_argument("--seed", type=int, default=1, help="as guard: of what he tries (%(default)s)")
     parser.add_argument("--simulator", default="mujoco", choices=("mujoco", "gazebo"), help="(%(default)s)")
     parser.add_argument("--rviz", action="store_true", help="open rviz beside it")
     parser.add_argument("--out", type=Path, default=Path("safety_demo"), help="folder for the picture and the bag")
     parser.add_argument("--patience", type=float, default=60.0, help="[s] a drive may take (%(default)s)")
     add_to(parser)
     arguments = parser.parse_args(argv)
+    guards = arguments.what == "guard"
+    if guards and arguments.simulator == "gazebo":
+        parser.error("guard goes with --simulator mujoco")
     make(arguments.out, parser)
     import rospy  # after the arguments: --help needs Python alone
 
@@ -39,8 +48,13 @@ def main(argv: list[str]) -> int:
             return 2
     try:
         with recorded_in(arguments.rrd, arguments.view) as rrd:
-            return 0 if run(Options(
-                arguments.world, arguments.simulator, arguments.out, arguments.rviz, arguments.patience, rrd)) else 1
+            options = Options(arguments.world or ("playground" if guards else "cabinet"), arguments.simulator, arguments.out,
+                              arguments.rviz, arguments.patience, rrd)
+            if guards:
+                from .guarded import run_guarded
+
+                return 0 if run_guarded(options, arguments.seconds, arguments.seed) else 1
+            return 0 if run(options) else 1
     except MissingPackages as error:
         print(f"demo: {error}", file=sys.stderr)
         return 2

@@ -27,6 +27,8 @@ SMALL = {
     "/joint_states": JointState,
     "/mobile_base/commands/velocity": Twist,
     "/cmd_vel_mux/input/teleop": Twist,
+    "/teleop/cmd_vel": Twist,
+    "/guard_mux/output": Twist,
     "/cmd_vel_mux/active": String,
     "/safety_control_cloud/state": SafetyState,
     "/turtlebot_sim/contacts": String,

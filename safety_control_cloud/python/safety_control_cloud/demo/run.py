@@ -40,7 +40,15 @@ def run(options: Options) -> bool:
     """
     options.folder.mkdir(parents=True, exist_ok=True)
     console = Console(highlight=False, soft_wrap=True)
-    with roscore(), _launched(options) as launch:
+    with stage(options) as launch:
+        approaches = _drive(launch, options.patience, console)
+    return _report(approaches, options, console)
+
+
+@contextmanager
+def stage(options: Options, *more: str) -> Iterator[Process]:
+    """The whole stack, joined and recorded for as long as the block lasts; `more` arguments of demo.launch."""
+    with roscore(), _launched(options, *more) as launch:
         _join(launch)
         with ExitStack() as recorders:
             recorders.enter_context(
@@ -48,16 +56,15 @@ def run(options: Options) -> bool:
             if options.rrd:
                 recorders.enter_context(process([sys.executable, "-m", "safety_control_cloud.commands.view_node",
                                                  "--rrd", str(options.rrd.absolute()), "--odometry", "/odom"]))
-            approaches = _drive(launch, options.patience, console)
+            yield launch
         rospy.signal_shutdown("the demo is over")
-    return _report(approaches, options, console)
 
 
 @contextmanager
-def _launched(options: Options) -> Iterator[Process]:
-    """The whole stack; what it says is kept in roslaunch.log."""
+def _launched(options: Options, *more: str) -> Iterator[Process]:
+    """What it says is kept in roslaunch.log."""
     arguments = [f"simulator:={options.simulator}", f"world:={options.world}", f"rviz:={str(options.rviz).lower()}"]
-    launch = Process(["roslaunch", "safety_control_cloud", "demo.launch", *arguments])
+    launch = Process(["roslaunch", "safety_control_cloud", "demo.launch", *arguments, *more])
     try:
         yield launch
     finally:
