@@ -24,7 +24,7 @@ ROOMS_OF_CORE = {
     "memory": {"text", "input", "look", "doubt"},
     "path": set(),
     "speed": {"text", "path"},
-    "guard": {"text", "input", "look", "doubt", "path", "speed"},
+    "guard": {"text", "input", "look", "doubt", "memory", "path", "speed"},
 }
 KERNEL_OF_LOOK = "look/look.cpp"  # the one door from the room into its kernel
 ROOMS_OF_ROS = {"time": set(), "command": {"time"}, "input": {"time"}, "memory": {"time"}, "output": {"time"}}

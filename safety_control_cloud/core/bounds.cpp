@@ -59,6 +59,9 @@ constexpr Bound bounds[] = {
     {"angular_deceleration", 100.0},
     {"obstacle_speed", 5.0},
     {"noise", 0.2},
+    {"memory_distance", 5.0},
+    {"memory_time", 600.0},
+    {"odometry_drift", 1.0},
 };
 
 }  // namespace

@@ -25,6 +25,12 @@ Following following_of(const Settings& settings) {
           settings.angular_deceleration};
 }
 
+OutOfSightLimits out_of_sight_by(const Settings& settings) {
+  const FrameCorridor& band = settings.frame_corridor;
+  return {band.bottom,           band.top, settings.memory_distance, settings.memory_time, settings.odometry_drift,
+          own_boxes_of(settings)};
+}
+
 std::vector<GuardSensor> sensors_by(const Settings& settings, const Guard& guard) {
   std::vector<GuardSensor> sensors;
   for (const SensorSettings& sensor : sensors_of(settings)) sensors.emplace_back(sensor, settings, guard);
@@ -37,6 +43,7 @@ GuardControl::GuardControl(const Settings& settings)
     : settings_(checked(settings)),
       guard_(settings_),
       sensors_(sensors_by(settings_, guard_)),
+      out_of_sight_(out_of_sight_by(settings_)),
       given_(following_of(settings_)) {}
 
 void GuardControl::adopt(const Settings& settings) {
@@ -44,13 +51,18 @@ void GuardControl::adopt(const Settings& settings) {
   const bool same = sensors_of(checked_ones) == sensors_of(settings_);
   settings_ = checked_ones;
   guard_ = Guard(settings_);
-  if (!same) sensors_ = sensors_by(settings_, guard_);
+  if (!same) {
+    sensors_ = sensors_by(settings_, guard_);
+    out_of_sight_.forget();
+  }
   for (GuardSensor& sensor : sensors_) sensor.adopt(settings_, guard_);
+  out_of_sight_.limit(out_of_sight_by(settings_));
   given_.follow(following_of(settings_));
   override_.adopt(settings_);
 }
 
 void GuardControl::forget_losses() {
+  out_of_sight_.forget();
   for (GuardSensor& sensor : sensors_) sensor.forget_losses();
 }
 
@@ -74,7 +86,14 @@ double GuardControl::until_silent(double now) const {
 }
 
 void GuardControl::see(const Reading& reading, const Origin& origin, const Instant& now, std::size_t sensor) {
-  sensors_[sensor].see(reading, origin, now);
+  const auto look = sensors_[sensor].see(reading, origin, now);
+  if (odometry_.breaks() != breaks_) {
+    if (out_of_sight_.holds_any(now.steady)) jumped_ = odometry_.goes_on_since();
+    out_of_sight_.forget();
+    breaks_ = odometry_.breaks();
+  }
+  const auto pose = look ? odometry_.pose_at(look->stamp) : std::nullopt;
+  if (pose) out_of_sight_.note(sensor, *look, *pose, now.steady);
 }
 
 void GuardControl::want(const Command& wanted, const Instant& now, std::optional<double> stamp) {
@@ -91,8 +110,10 @@ OverrideReply GuardControl::ask_override(const OverrideWish& wish, const Instant
 /// One sensor that is not required, and in doubt, is as good as not there.
 std::vector<Known> GuardControl::known_at(const Instant& now) {
   std::vector<Known> all;
+  std::vector<bool> shows(sensors_.size(), false);
   last_.doubts.clear();
-  for (GuardSensor& sensor : sensors_) {
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    GuardSensor& sensor = sensors_[i];
     sensor.wait(now);
     Known known = sensor.known_at(now, odometry_, given_);
     const auto doubt = doubt_of(known);
@@ -101,12 +122,46 @@ std::vector<Known> GuardControl::known_at(const Instant& now) {
     const bool is_absent = known.doubt || (known.lost && known.lost->cause == Cause::Blind);
     if (is_absent && !sensor.is_required()) continue;
     if (outside_) known.doubt = outside_;
+    shows[i] = true;
     all.push_back(std::move(known));
   }
-  if (!all.empty()) return all;
+  if (!all.empty()) {
+    if (auto remembered = remembered_at(now, shows)) all.push_back(*std::move(remembered));
+    return all;
+  }
   Known none;
   none.doubt = outside_ ? *outside_ : Doubt{Cause::NoCloud, "no sensor is required, and none to be believed"};
   return {none};
+}
+
+/// What no sensor shows any more, where odometry says that it is.
+std::optional<Known> GuardControl::remembered_at(const Instant& now, const std::vector<bool>& shows) {
+  Known known;
+  known.sensor = "memory";
+  if (odometry_.breaks() != breaks_ && out_of_sight_.holds_any(now.steady)) {
+    known.doubt = Doubt{Cause::NoOdometry, "odometry jumped or paused, and what is out of sight cannot be placed"};
+    return known;
+  }
+  const auto jumped = [&](const GuardSensor& sensor) {
+    return sensor.is_required() && !sensor.has_looked_since(*jumped_);
+  };
+  if (jumped_ && std::any_of(sensors_.begin(), sensors_.end(), jumped)) {
+    known.doubt = Doubt{Cause::NoOdometry, "odometry jumped or paused, and not every sensor has looked since"};
+    return known;
+  }
+  jumped_.reset();
+  if (!out_of_sight_.holds_any(now.steady)) return std::nullopt;
+  const auto pose = odometry_.is_fresh(now.ros) ? odometry_.pose_at(now.ros) : std::nullopt;
+  if (!pose) {
+    known.doubt = Doubt{Cause::NoOdometry, "no odometry, and what is out of sight cannot be placed"};
+    return known;
+  }
+  known.law = sensors_.front().law();
+  known.law.min_points = 1;
+  remembered_ = out_of_sight_.rings(*pose, guard_.reach(0.0, known.law), now.steady, shows);
+  known.rings = &remembered_;
+  known.ways = {Pose2{}};
+  return known;
 }
 
 std::vector<Twist2> GuardControl::under_way(const Instant& now) const {

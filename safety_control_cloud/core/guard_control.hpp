@@ -10,6 +10,7 @@
 #include "guard/given.hpp"
 #include "guard/guard.hpp"
 #include "guard/odometry.hpp"
+#include "guard/out_of_sight.hpp"
 #include "guard/override.hpp"
 #include "guard_sensor.hpp"
 #include "settings.hpp"
@@ -79,6 +80,7 @@ class GuardControl {
 
  private:
   std::vector<Known> known_at(const Instant& now);
+  std::optional<Known> remembered_at(const Instant& now, const std::vector<bool>& shows);
   std::vector<Twist2> under_way(const Instant& now) const;
   Allowed overridden(const Twist2& wanted, const std::vector<Known>& known, const Instant& now) const;
   Allowed allowed_now(const Instant& now, const std::vector<Known>& known) const;
@@ -88,6 +90,10 @@ class GuardControl {
   Settings settings_;
   Guard guard_;
   std::vector<GuardSensor> sensors_;
+  OutOfSight out_of_sight_;
+  std::vector<Ring> remembered_;  ///< of the latest answer
+  std::size_t breaks_ = 0;        ///< of the odometry, after which that began
+  std::optional<double> jumped_;  ///< [s, ROS] since then odometry goes on, and not every sensor has looked
   Odometry odometry_;
   Given given_;
   std::optional<Command> wanted_;

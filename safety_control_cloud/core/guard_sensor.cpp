@@ -16,6 +16,9 @@ namespace {
 constexpr double long_on_its_way = 0.2;  ///< [s] what comes later after its stamp than this may have one that is off
 constexpr double turned_away = 0.2;      ///< [rad] by which a camera may look past its corridor before that follows it
 
+constexpr double least_of_scan = 0.3;  ///< [m] from which on a laser measures what is there
+constexpr double least_beyond = 0.15;  ///< [m] beyond its blind range from which on a camera does
+
 Law law_of(const Settings& settings) {
   Law law;
   law.sensor_period = settings.stopping.sensor_period;
@@ -64,26 +67,28 @@ double lasts(const Reading& reading) {
 GuardSensor::GuardSensor(const SensorSettings& sensor, const Settings& settings, const Guard& guard)
     : about_(sensor),
       own_(own_settings(settings, sensor)),
+      law_(law_of(own_)),
       sensor_(sensor_settings(own_)),
       around_(surroundings_of(own_, guard)) {}
 
 void GuardSensor::adopt(const Settings& settings, const Guard& guard) {
   own_ = own_settings(settings, about_);
+  law_ = law_of(own_);
   sensor_.adopt(sensor_settings(own_, facing_));
   around_ = surroundings_of(own_, guard);
   taken_.reset();  // what was collected was collected within other limits
 }
 
-void GuardSensor::see(const Reading& reading, const Origin& origin, const Instant& now) {
+std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origin, const Instant& now) {
   last_arrival_ = now.steady;
   face(reading, origin.placing);
   Origin facing = origin;
   if (const auto* placement = std::get_if<Placement>(&origin.placing))
     facing.placing = in_turned_frame(*placement, facing_);
   sensor_.see(reading, facing, now);
-  if (!std::holds_alternative<Seen>(sensor_.answer())) return;
-  take(reading, origin, now);
+  if (!std::holds_alternative<Seen>(sensor_.answer())) return std::nullopt;
   was_sound_ = true;
+  return take(reading, origin, now);
 }
 
 /// A scan looks to all sides.
@@ -96,13 +101,16 @@ void GuardSensor::face(const Reading& reading, const Placing& placing) {
   sensor_.adopt(sensor_settings(own_, facing_));
 }
 
-void GuardSensor::take(const Reading& reading, const Origin& origin, const Instant& now) {
+Look GuardSensor::take(const Reading& reading, const Origin& origin, const Instant& now) {
   const Settings by = sensor_settings(own_);
   const Outlook outlook = std::get<Outlook>(outlook_of(by, origin.placing));  // there is one, or nothing were seen
   const View view = view_in(reading, by);
   around_.look(view, outlook);
   const double on_its_way = by.stamp_tolerance > 0.0 ? std::max(0.0, now.ros - origin.stamp) : 0.0;
   taken_ = Taken{now, on_its_way, lasts(reading), eye_in(reading, view, outlook)};
+  const double measures_from =
+      own_.input == InputKind::Scan ? least_of_scan : own_.near_loss.blind_range + least_beyond;
+  return {reading, view, outlook, now.ros - on_its_way, measures_from};
 }
 
 void GuardSensor::wait(const Instant& now) {
@@ -113,7 +121,7 @@ void GuardSensor::wait(const Instant& now) {
 Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const Given& given) const {
   Known known;
   known.sensor = about_.name;
-  known.law = law_of(own_);
+  known.law = law_;
   if (const auto* doubt = std::get_if<Doubt>(&sensor_.answer())) known.doubt = *doubt;
   if (auto lost = loss_in(sensor_.answer(), own_.corridor.min_points); lost && was_sound_) {
     known.lost = std::move(lost);
@@ -124,7 +132,7 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
     if (!known.doubt) known.doubt = Doubt{Cause::NoCloud, "no cloud has been seen by these settings yet"};
     return known;
   }
-  known.around = &around_;
+  known.rings = &around_.rings();
   known.age = std::max(now.steady - taken_->arrival.steady, now.ros - taken_->arrival.ros) + taken_->time_to_arrive;
   known.ways = ways_since_look(now, odometry, given);
   known.eye = taken_->eye;

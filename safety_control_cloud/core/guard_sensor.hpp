@@ -7,6 +7,7 @@
 #include "guard/given.hpp"
 #include "guard/guard.hpp"
 #include "guard/odometry.hpp"
+#include "guard/out_of_sight.hpp"
 #include "guard/surroundings.hpp"
 #include "sensor.hpp"
 #include "settings.hpp"
@@ -22,8 +23,8 @@ class GuardSensor {
   /// Goes on with other settings for all.
   void adopt(const Settings& settings, const Guard& guard);
 
-  /// A reading has come, readable or not.
-  void see(const Reading& reading, const Origin& origin, const Instant& now);
+  /// A reading has come, readable or not. What it shows, if that is believed.
+  std::optional<Look> see(const Reading& reading, const Origin& origin, const Instant& now);
 
   /// None has come until `now`.
   void wait(const Instant& now);
@@ -33,6 +34,11 @@ class GuardSensor {
 
   /// What it lets one know, given where the robot went.
   Known known_at(const Instant& now, const Odometry& odometry, const Given& given) const;
+
+  /// Whether what it shows was taken after this stamp [s, ROS].
+  bool has_looked_since(double stamp) const { return taken_ && taken_->arrival.ros - taken_->time_to_arrive >= stamp; }
+
+  const Law& law() const { return law_; }
 
   /// [s] until it counts as silent; infinite if it does, or has never sent anything.
   double until_silent(double now) const;
@@ -55,11 +61,12 @@ class GuardSensor {
   };
 
   void face(const Reading& reading, const Placing& placing);
-  void take(const Reading& reading, const Origin& origin, const Instant& now);
+  Look take(const Reading& reading, const Origin& origin, const Instant& now);
   std::vector<Pose2> ways_since_look(const Instant& now, const Odometry& odometry, const Given& given) const;
 
   SensorSettings about_;
   Settings own_;
+  Law law_;
   double facing_ = 0.0;  ///< [rad] from base_frame's x axis: where the corridor leads that it looks down
   Sensor sensor_;
   Surroundings around_;

@@ -66,7 +66,8 @@ void bind_results(py::module& module) {
       .value("WRONG_VIEW", core::Cause::WrongView)
       .value("NO_TIME", core::Cause::NoTime)
       .value("NO_COMMAND", core::Cause::NoCommand)
-      .value("BAD_COMMAND", core::Cause::BadCommand);
+      .value("BAD_COMMAND", core::Cause::BadCommand)
+      .value("NO_ODOMETRY", core::Cause::NoOdometry);
   py::class_<core::Obstacle>(module, "Obstacle")
       .def_property_readonly("distance", &core::Obstacle::distance)
       .def_property_readonly("point", &point_of)

@@ -41,6 +41,8 @@ const char* name_of(Cause cause) {
       return "NO_COMMAND";
     case Cause::BadCommand:
       return "BAD_COMMAND";
+    case Cause::NoOdometry:
+      return "NO_ODOMETRY";
   }
   return "UNKNOWN";
 }

@@ -112,9 +112,9 @@ Allowed Guard::by_eyes(const Twist2& wanted, const std::vector<Known>& known) co
 
 Allowed Guard::by_sight(const Twist2& wanted, const std::vector<Twist2>& under_way, const Known& known) const {
   Allowed least;
-  if (!known.around) return standing(known.sensor, {Cause::NoCloud, "nothing has been seen yet"});
+  if (!known.rings) return standing(known.sensor, {Cause::NoCloud, "nothing has been seen yet"});
   std::size_t nearer = 0;
-  for (const Ring& ring : known.around->rings()) {
+  for (const Ring& ring : *known.rings) {
     least = lesser(std::move(least), by_ring(wanted, under_way, known, ring, nearer));
     if (least.factor == 0.0) break;
     nearer += ring.returns;
@@ -127,15 +127,14 @@ Allowed Guard::by_ring(const Twist2& wanted, const std::vector<Twist2>& under_wa
                        std::size_t nearer) const {
   Allowed least;
   if (ring.returns == 0) return least;
-  const bool innermost = &ring == &known.around->rings().front();
   const double widening = ring.obstacles.widening + widening_for(known.ways, ring.extent);
   Law law = known.law;
   law.min_points = law.min_points > nearer ? law.min_points - nearer : 1;
-  // What is inside the margin can be left only by who knows the points as they are (limit.hpp). The innermost cells are
+  // What is inside the margin can be left only by who knows the points as they are (limit.hpp). Such cells are
   // so small that to widen the margin by them, and to take them off the noise, is as good.
-  if (innermost) law.noise = std::max(0.5 * law.noise, law.noise - 2.0 * ring.obstacles.widening);
-  const Outline outline = innermost ? Outline(widened(outline_, widening)) : outline_;
-  Obstacles moved{{}, ring.obstacles.counts, innermost ? 0.0 : widening};
+  if (ring.as_they_are) law.noise = std::max(0.5 * law.noise, law.noise - 2.0 * ring.obstacles.widening);
+  const Outline outline = ring.as_they_are ? Outline(widened(outline_, widening)) : outline_;
+  Obstacles moved{{}, ring.obstacles.counts, ring.as_they_are ? 0.0 : widening};
   for (const Pose2& way : known.ways) {
     moved.points.clear();
     for (const Point2& point : ring.obstacles.points) moved.points.push_back(seen_after(way, point));

@@ -15,14 +15,14 @@ namespace safety_control_cloud {
 
 /// What one sensor lets one know of the robot's surroundings at this moment.
 struct Known {
-  std::string sensor;                    ///< its name
-  const Surroundings* around = nullptr;  ///< as they were taken; none: nothing was ever seen
-  Law law;                               ///< by which that is judged
-  double age = 0.0;                      ///< [s] since then
-  std::vector<Pose2> ways;               ///< that the robot may have gone since then; the true one lies between them
-  std::optional<Eye> eye;                ///< where it looks
-  std::optional<Doubt> doubt;            ///< why it is not to be believed: nothing is safe
-  std::optional<Doubt> lost;             ///< why it is not to be believed where it looks: only away from there
+  std::string sensor;                        ///< its name
+  const std::vector<Ring>* rings = nullptr;  ///< as they were taken; none: nothing was ever seen
+  Law law;                                   ///< by which that is judged
+  double age = 0.0;                          ///< [s] since then
+  std::vector<Pose2> ways;     ///< that the robot may have gone since then; the true one lies between them
+  std::optional<Eye> eye;      ///< where it looks
+  std::optional<Doubt> doubt;  ///< why it is not to be believed: nothing is safe
+  std::optional<Doubt> lost;   ///< why it is not to be believed where it looks: only away from there
 };
 
 }  // namespace safety_control_cloud

@@ -22,16 +22,22 @@ double wrapped(double angle) { return std::remainder(angle, 2.0 * 3.141592653589
 void Odometry::note(double stamp, const Pose2& pose, const Twist2& twist) {
   const Noted next{stamp, pose, twist};
   if (!std::isfinite(stamp) || !is_finite(pose) || !is_sound(twist)) {
-    noted_.clear();
+    forget();
     return;
   }
-  if (!noted_.empty() && !goes_on(next)) noted_.clear();
+  if (!noted_.empty() && !goes_on(next)) forget();
+  if (noted_.empty()) since_ = stamp;
   noted_.push_back(next);
   if (noted_.size() > 1) {  // headings go on beyond a full turn, so that the way between two poses is the short one
     const double before = noted_[noted_.size() - 2].pose.heading;
     noted_.back().pose.heading = before + wrapped(pose.heading - before);
   }
   while (noted_.size() > most || noted_.front().stamp < stamp - kept) noted_.pop_front();
+}
+
+void Odometry::forget() {
+  if (!noted_.empty()) ++breaks_;
+  noted_.clear();
 }
 
 bool Odometry::goes_on(const Noted& next) const {
@@ -52,7 +58,13 @@ bool Odometry::is_fresh(double now) const {
 
 std::optional<Pose2> Odometry::way_since(double stamp, double now) const {
   if (!is_fresh(now) || !(stamp >= noted_.front().stamp)) return std::nullopt;
-  return between(pose_at(stamp), pose_at(std::max(stamp, now)));
+  return between(interpolated(stamp), interpolated(std::max(stamp, now)));
+}
+
+std::optional<Pose2> Odometry::pose_at(double stamp) const {
+  if (noted_.empty() || !(stamp >= noted_.front().stamp && stamp <= noted_.back().stamp + longest_gap))
+    return std::nullopt;
+  return interpolated(stamp);
 }
 
 std::optional<Twist2> Odometry::twist_at(double now) const {
@@ -60,7 +72,7 @@ std::optional<Twist2> Odometry::twist_at(double now) const {
 }
 
 /// By the twist of the pose before.
-Pose2 Odometry::pose_at(double stamp) const {
+Pose2 Odometry::interpolated(double stamp) const {
   const auto after = std::upper_bound(noted_.begin(), noted_.end(), stamp,
                                       [](double moment, const Noted& noted) { return moment < noted.stamp; });
   const Noted& before = after == noted_.begin() ? *after : *std::prev(after);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <optional>
 
@@ -18,6 +19,16 @@ class Odometry {
   /// The way from `stamp` until `now` [s, ROS time]; none if it does not span that.
   std::optional<Pose2> way_since(double stamp, double now) const;
 
+  /// The pose at `stamp` [s, ROS time], at most a gap after the latest; none if that is not known.
+  std::optional<Pose2> pose_at(double stamp) const;
+
+  /// Whether it speaks at `now` [s, ROS time].
+  bool is_fresh(double now) const;
+
+  /// How often it did not go on from what was before, and the first stamp [s] since.
+  std::size_t breaks() const { return breaks_; }
+  double goes_on_since() const { return since_; }
+
   /// The twist of now; none if nothing was said lately.
   std::optional<Twist2> twist_at(double now) const;
 
@@ -29,10 +40,12 @@ class Odometry {
   };
 
   bool goes_on(const Noted& next) const;
-  bool is_fresh(double now) const;
-  Pose2 pose_at(double stamp) const;
+  void forget();
+  Pose2 interpolated(double stamp) const;
 
   std::deque<Noted> noted_;
+  std::size_t breaks_ = 0;
+  double since_ = 0.0;
 };
 
 }  // namespace safety_control_cloud

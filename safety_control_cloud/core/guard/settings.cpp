@@ -63,6 +63,9 @@ void check(const GuardSettings& guard, Problems& problems) {
   problems.require(guard.angular_deceleration > 0.0, "angular_deceleration must be positive");
   problems.require(guard.obstacle_speed >= 0.0, "obstacle_speed must not be negative");
   problems.require(guard.noise >= 0.0, "noise must not be negative");
+  problems.require(guard.memory_distance >= 0.0, "memory_distance must not be negative");
+  problems.require(guard.memory_time >= 0.0, "memory_time must not be negative");
+  problems.require(guard.odometry_drift >= 0.0, "odometry_drift must not be negative");
 }
 
 Footprint footprint_of(const GuardSettings& guard) {

@@ -55,6 +55,9 @@ struct GuardSettings {
   double angular_deceleration = 3.5;  ///< [rad/s2] of the base when it brakes (Kobuki's driver: an assumption)
   double obstacle_speed = 0.0;        ///< [m/s] with which every obstacle may approach
   double noise = 0.01;                ///< [m] of the sensor
+  double memory_distance = 1.5;       ///< [m] from base_frame: what came so near is kept out of sight; 0 = off
+  double memory_time = 30.0;          ///< [s] for so long
+  double odometry_drift = 0.02;       ///< [m/m], [rad/rad] by which odometry may be off
   Sensors sensors;                    ///< none: the one of `input`
 };
 
@@ -82,6 +85,9 @@ void for_each_guard_parameter(GuardSettingsOrConst& guard, Visit& visit) {
   visit("angular_deceleration", guard.angular_deceleration);
   visit("obstacle_speed", guard.obstacle_speed);
   visit("noise", guard.noise);
+  visit("memory_distance", guard.memory_distance);
+  visit("memory_time", guard.memory_time);
+  visit("odometry_drift", guard.odometry_drift);
   visit("sensors", guard.sensors);
 }
 

@@ -25,6 +25,7 @@ Surroundings::Surroundings(const Outline& outline, Band band) : band_(std::move(
   cells_.emplace_back(middle, 2.0 * middle / across_coarser);
   cells_.emplace_back(outer, 2.0 * outer / across_coarser);
   for (const Cells& cells : cells_) rings_.push_back({cells.extent(), {}});
+  rings_.front().as_they_are = true;
 }
 
 void Surroundings::look(const View& view, const Outlook& outlook) {
@@ -43,9 +44,9 @@ void Surroundings::look(const View& view, const Outlook& outlook) {
     }
   });
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    auto& [extent, obstacles, returns] = rings_[i];
+    Obstacles& obstacles = rings_[i].obstacles;
     cells_[i].write(obstacles);
-    returns = std::accumulate(obstacles.counts.begin(), obstacles.counts.end(), std::size_t{0});
+    rings_[i].returns = std::accumulate(obstacles.counts.begin(), obstacles.counts.end(), std::size_t{0});
   }
 }
 

@@ -65,8 +65,11 @@ ScanView ScanPoints::of(const Scan& scan) {
   points.row_step = scan.size * sizeof points_[0];
   points.offset = {0, sizeof(float), 2 * sizeof(float)};
   const double steps = static_cast<double>(scan.size - 1), end = scan.angle_min + scan.angle_increment * steps;
-  return {points, 3 * sizeof(float), std::min(scan.angle_min, end), std::max(scan.angle_min, end),
-          std::max(scan.time_increment * steps, scan.time_increment > 0.0 ? 0.0 : scan.scan_time)};
+  ScanView view{points, 3 * sizeof(float)};
+  view.first = std::min(scan.angle_min, end), view.last = std::max(scan.angle_min, end);
+  view.descending = scan.angle_increment < 0.0;
+  view.lasts = scan.time_increment > 0.0 ? scan.time_increment * steps : scan.scan_time;
+  return view;
 }
 
 }  // namespace safety_control_cloud

@@ -39,6 +39,7 @@ class Cause:
     NO_TIME: Cause
     NO_COMMAND: Cause
     BAD_COMMAND: Cause
+    NO_ODOMETRY: Cause
     name: str
     def __int__(self) -> int: ...
 
@@ -99,6 +100,9 @@ class Settings:
     angular_deceleration: float
     obstacle_speed: float
     noise: float
+    memory_distance: float
+    memory_time: float
+    odometry_drift: float
     sensors: List[Dict[str, Any]]
     publish_rate: float
     depth_minus_inf: str

@@ -63,7 +63,8 @@ TEST(Messages, EveryCauseBearsTheSameNumberAndNameInTheMessage) {
                                                            {SafetyState::WRONG_VIEW, "WRONG_VIEW"},
                                                            {SafetyState::NO_TIME, "NO_TIME"},
                                                            {SafetyState::NO_COMMAND, "NO_COMMAND"},
-                                                           {SafetyState::BAD_COMMAND, "BAD_COMMAND"}};
+                                                           {SafetyState::BAD_COMMAND, "BAD_COMMAND"},
+      {SafetyState::NO_ODOMETRY, "NO_ODOMETRY"}};
   for (const auto& [number, name] : causes) EXPECT_STREQ(name_of(static_cast<Cause>(number)), name);
   EXPECT_STREQ(name_of(static_cast<Cause>(causes.back().first + 1)), "UNKNOWN") << "a cause is missing in this table";
 }

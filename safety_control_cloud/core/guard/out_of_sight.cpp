@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "out_of_sight.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "../memory/pixels.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double cell = 0.025, layer = 0.1;                     ///< [m] across and up
+constexpr std::size_t columns = 160, rows = 120;                ///< of a picture that are looked at, at most
+constexpr std::size_t most = 30000;                             ///< places
+constexpr std::uint8_t believed = 2;                            ///< looks that show a place, or what is behind it
+constexpr std::array<double, 3> displaced = {0.03, 0.08, 0.2};  ///< [m] places are told apart by these, and lost beyond
+constexpr double absent_for = 1.25;                             ///< [s] without a return where there would be one
+constexpr double own_size = 0.02;  ///< [m] by which a return may lie beside the place of its cell
+
+std::uint64_t key_of(const Point2& place, double height) {
+  const auto part = [](double value) { return static_cast<std::uint64_t>(std::llround(value)) & 0x1fffffU; };
+  return part(place.x / cell) << 42U | part(place.y / cell) << 21U | part(height / layer);
+}
+
+std::size_t step_for(std::size_t size, std::size_t wanted) { return (size + wanted - 1) / wanted; }
+
+/// Where a place of base_frame lies in the corridor's axes.
+Point in_axes(const Point2& place, float height) {
+  return Point(static_cast<float>(-place.y), -height, static_cast<float>(place.x));
+}
+
+}  // namespace
+
+void OutOfSight::note(std::size_t sensor, const Look& look, const Pose2& pose, double now) {
+  travel(pose);
+  if (limits_.distance <= 0.0 || limits_.time <= 0.0) return places_.clear();
+  latest_[sensor] = ++look_;
+  const auto is_over = [&](const Place& place) { return now - place.seen_at > limits_.time; };
+  for (auto it = places_.begin(); it != places_.end();) it = is_over(it->second) ? places_.erase(it) : std::next(it);
+  keep_near(sensor, look, pose, now);
+  drop_what_has_gone(look, pose, now);
+}
+
+void OutOfSight::travel(const Pose2& pose) {
+  if (pose_) {
+    const Pose2 way = between(*pose_, pose);
+    distance_ += length_of(way.place);
+    angle_ += std::abs(way.heading);
+  }
+  pose_ = pose;
+}
+
+void OutOfSight::keep_near(std::size_t sensor, const Look& look, const Pose2& pose, double now) {
+  if (!SeenAt(look.reading, look.view).can_tell()) return;
+  const Pixels pixels(look.view, look.outlook.corridor.range_min);
+  const bool is_scan = std::holds_alternative<ScanView>(look.reading);
+  const std::size_t across = is_scan ? 1 : step_for(pixels.width(), columns), down = step_for(pixels.height(), rows);
+  PixelRow row;
+  for (std::size_t r = 0; r < pixels.height(); r += down) {
+    pixels.read(r, across, look.outlook, row);
+    for (std::size_t i = 0; i < row.z.size(); ++i) {
+      const Point2 place{row.z[i], -row.x[i]};
+      const float height = -row.y[i];
+      const bool counts = height >= limits_.bottom && height <= limits_.top &&
+                          dot(place, place) <= limits_.distance * limits_.distance;  // of NaN, false
+      if (!counts || is_own(limits_.self, place.x, place.y, height)) continue;
+      keep(sensor, pose.place + turned(place, pose.heading), height, now);
+    }
+  }
+}
+
+void OutOfSight::keep(std::size_t sensor, const Point2& place, float height, double now) {
+  const std::uint64_t key = key_of(place, height);
+  const auto found = places_.find(key);
+  if (found == places_.end() && places_.size() >= most) return;
+  Place kept{static_cast<float>(place.x), static_cast<float>(place.y), height, now, distance_, angle_, sensor, look_};
+  if (found == places_.end()) {
+    places_.emplace(key, kept);
+    return;
+  }
+  const Place& before = found->second;
+  const int looks = before.looks + (before.look == look_ ? 0 : 1);
+  kept.looks = static_cast<std::uint8_t>(std::min<int>(looks, believed));
+  found->second = kept;
+}
+
+void OutOfSight::drop_what_has_gone(const Look& look, const Pose2& pose, double now) {
+  const SeenAt seen_at(look.reading, look.view);
+  for (auto it = places_.begin(); it != places_.end();) {
+    Place& place = it->second;
+    if (place.look == look_) {
+      ++it;
+      continue;
+    }
+    const Point2 here = seen_after(pose, {place.x, place.y});
+    const Point seen_from_there = look.outlook.seen_from_camera(in_axes(here, place.z));
+    const bool is_measured = seen_from_there.getVector3fMap().norm() >= static_cast<float>(look.measures_from);
+    it = has_gone(place, seen_at(seen_from_there), is_measured, now) ? places_.erase(it) : std::next(it);
+  }
+}
+
+/// What a sensor could measure and does not is kept for a while: some things return from one side only.
+bool OutOfSight::has_gone(Place& place, AtPlace seen, bool is_measured, double now) const {
+  if (seen == AtPlace::NotThere || (seen == AtPlace::Nothing && !is_measured)) {
+    place.absent_since.reset();
+    return false;
+  }
+  if (seen == AtPlace::Behind) ++place.away;
+  if (!place.absent_since) place.absent_since = now;
+  return place.away >= believed || now - *place.absent_since >= absent_for;
+}
+
+bool OutOfSight::counts(const Place& place, double now) const {
+  return place.looks >= believed && now - place.seen_at <= limits_.time;
+}
+
+bool OutOfSight::holds_any(double now) const {
+  return std::any_of(places_.begin(), places_.end(), [&](const auto& entry) { return counts(entry.second, now); });
+}
+
+std::vector<Ring> OutOfSight::rings(const Pose2& pose, double reach, double now, const std::vector<bool>& shows) const {
+  std::vector<Ring> rings;
+  for (std::size_t i = 0; i < displaced.size(); ++i) rings.push_back({reach, {}, 0, true});
+  const Pose2 since = pose_ ? between(*pose_, pose) : Pose2{};
+  const double distance = distance_ + length_of(since.place), angle = angle_ + std::abs(since.heading);
+  for (const auto& [key, place] : places_) {
+    const bool is_shown = shows[place.sensor] && latest_.at(place.sensor) == place.look;
+    if (!counts(place, now) || is_shown) continue;
+    const Point2 here = seen_after(pose, {place.x, place.y});
+    const double range = length_of(here);
+    const double off = own_size + limits_.drift * (distance - place.distance + (angle - place.angle) * range);
+    const auto fits =
+        std::find_if(displaced.begin(), displaced.end(), [&](double most_off) { return off <= most_off; });
+    if (range > reach || fits == displaced.end()) continue;
+    Ring& ring = rings[static_cast<std::size_t>(fits - displaced.begin())];
+    ring.obstacles.points.push_back(here);
+    ring.obstacles.widening = std::max(ring.obstacles.widening, off);
+    ++ring.returns;
+  }
+  return rings;
+}
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "../input/reading.hpp"
+#include "pose.hpp"
+#include "seen_at.hpp"
+#include "surroundings.hpp"
+
+namespace safety_control_cloud {
+
+/// One look of one sensor, placed in base_frame; borrowed for the length of a call.
+struct Look {
+  const Reading& reading;
+  View view;
+  Outlook outlook;
+  double stamp;          ///< [s] ROS time, of when it was taken
+  double measures_from;  ///< [m] from here on, what is there returns
+};
+
+/// What is kept of what has left the picture.
+struct OutOfSightLimits {
+  double bottom = 0.0, top = 0.0;  ///< [m] heights, inclusive
+  double distance = 0.0;           ///< [m] from base_frame's origin: what came so near is kept; 0: nothing is
+  double time = 0.0;               ///< [s] for so long
+  double drift = 0.0;              ///< [m/m], [rad/rad] of the odometry: what it may be off by
+  std::vector<OwnBox> self = {};   ///< of the robot itself
+};
+
+/// What came near the robot and no sensor shows any more: beside it, behind it, in its blind zone. Kept as places in a
+/// frame that rests, in which odometry says where the robot is, each until a sensor sees what is behind it, or has seen
+/// nothing there for a while where it could, or until its time is over. A place counts once two looks have shown it.
+class OutOfSight {
+ public:
+  explicit OutOfSight(OutOfSightLimits limits) : limits_(std::move(limits)) {}
+
+  /// Goes on within other limits.
+  void limit(OutOfSightLimits limits) { limits_ = std::move(limits); }
+
+  /// What `sensor` shows, the robot being at `pose` of the resting frame. `now` [s] steady. Of a cloud that is not
+  /// organised nothing is kept: nobody could tell what is seen behind it.
+  void note(std::size_t sensor, const Look& look, const Pose2& pose, double now);
+
+  void forget() { *this = OutOfSight(limits_); }
+
+  /// Whether anything is kept.
+  bool holds_any(double now) const;
+
+  /// What is kept and not shown by the latest look of its sensor, around a robot at `pose`, out to `reach` [m]; by how
+  /// much it may have been displaced meanwhile. `shows`: of each sensor, whether its latest look is believed still.
+  std::vector<Ring> rings(const Pose2& pose, double reach, double now, const std::vector<bool>& shows) const;
+
+ private:
+  struct Place {
+    float x, y, z;           ///< [m] in the resting frame, the height above base_frame
+    double seen_at;          ///< [s] steady
+    double distance, angle;  ///< [m], [rad] that the robot had travelled then
+    std::size_t sensor;
+    std::uint64_t look;  ///< the latest that showed it
+    std::uint8_t looks = 1, away = 0;
+    std::optional<double> absent_since = std::nullopt;  ///< [s] steady
+  };
+
+  bool counts(const Place& place, double now) const;
+  void travel(const Pose2& pose);
+  void keep_near(std::size_t sensor, const Look& look, const Pose2& pose, double now);
+  void keep(std::size_t sensor, const Point2& place, float height, double now);
+  void drop_what_has_gone(const Look& look, const Pose2& pose, double now);
+  bool has_gone(Place& place, AtPlace seen, bool is_measured, double now) const;
+
+  OutOfSightLimits limits_;
+  std::unordered_map<std::uint64_t, Place> places_;  ///< by cell
+  std::map<std::size_t, std::uint64_t> latest_;      ///< look of each sensor
+  std::uint64_t look_ = 0;
+  std::optional<Pose2> pose_;
+  double distance_ = 0.0, angle_ = 0.0;
+};
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "seen_at.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double nearest = 0.05;                     ///< [m] before a camera: nearer, directions mean nothing
+constexpr double behind = 0.05, behind_rate = 0.03;  ///< [m] and share of the distance: more than noise
+constexpr double in_plane = 0.05;                    ///< [m] beside a scan's plane that it still meets
+constexpr int attempts = 3;                          ///< to find a pixel through a bent lens
+constexpr double close_enough = 1.5;                 ///< [px]
+
+/// Of several pixels around a direction, one after the other.
+struct Around {
+  bool all_returned = true, none_before = true;
+
+  void add(bool returned, double seen, double distance) {
+    all_returned = all_returned && returned;
+    none_before = none_before && (!returned || seen > distance + behind + behind_rate * distance);
+  }
+  AtPlace answer() const {
+    if (!none_before) return AtPlace::NotThere;
+    return all_returned ? AtPlace::Behind : AtPlace::Nothing;
+  }
+};
+
+float range_min_of(const Reading& reading) {
+  return std::holds_alternative<ScanView>(reading) ? std::numeric_limits<float>::lowest() : 0.0f;
+}
+
+std::optional<FieldOfView> picture_in(const Reading& reading, const View& view) {
+  if (std::holds_alternative<ScanView>(reading) || width_of(view) < 2 || height_of(view) < 2) return std::nullopt;
+  const auto field = field_of(view, Sense::Either);
+  const auto* seen = std::get_if<FieldOfView>(&field);
+  return seen ? std::optional(*seen) : std::nullopt;
+}
+
+}  // namespace
+
+SeenAt::SeenAt(const Reading& reading, const View& view)
+    : pixels_(view, range_min_of(reading)),
+      picture_(picture_in(reading, view)),
+      scan_(std::get_if<ScanView>(&reading)) {}
+
+AtPlace SeenAt::operator()(const Point& place) const {
+  if (scan_) return in_scan(place);
+  return picture_ ? in_picture(place) : AtPlace::NotThere;
+}
+
+/// The pixel that looks there, corrected by the rays of those that returned: a lens may bend them.
+AtPlace SeenAt::in_picture(const Point& place) const {
+  if (!(place.z > nearest) || !picture_->holds(place)) return AtPlace::NotThere;
+  const double x = double{place.x} / place.z, y = double{place.y} / place.z;
+  const double across = (picture_->right - picture_->left) / static_cast<double>(pixels_.width());
+  const double down = (picture_->bottom - picture_->top) / static_cast<double>(pixels_.height());
+  double column = (x - picture_->left) / across - 0.5, row = (y - picture_->top) / down - 0.5;
+  for (int i = 0; i < attempts; ++i) {
+    const Point seen = pixels_.near(std::lround(row), std::lround(column));
+    if (!returned(seen)) break;
+    const double off_across = (x - double{seen.x} / seen.z) / across, off_down = (y - double{seen.y} / seen.z) / down;
+    if (std::abs(off_across) <= close_enough && std::abs(off_down) <= close_enough) break;
+    if (i + 1 == attempts) return AtPlace::NotThere;
+    column += off_across, row += off_down;
+  }
+  Around around;
+  for (std::ptrdiff_t down_by = -1; down_by <= 1; ++down_by) {
+    for (std::ptrdiff_t right_by = -1; right_by <= 1; ++right_by) {
+      const Point beside = pixels_.near(std::lround(row) + down_by, std::lround(column) + right_by);
+      around.add(returned(beside), beside.z, place.z);
+    }
+  }
+  return around.answer();
+}
+
+AtPlace SeenAt::in_scan(const Point& place) const {
+  const double distance = std::hypot(place.x, place.y), bearing = std::atan2(place.y, place.x);
+  if (std::abs(place.z) > in_plane || bearing < scan_->first || bearing > scan_->last || pixels_.width() < 2)
+    return AtPlace::NotThere;
+  const auto last = static_cast<std::ptrdiff_t>(pixels_.width()) - 1;
+  const double share = (bearing - scan_->first) / (scan_->last - scan_->first);
+  const auto at = static_cast<std::ptrdiff_t>(std::lround(share * static_cast<double>(last)));
+  Around around;
+  for (std::ptrdiff_t beside = -1; beside <= 1; ++beside) {
+    const Point seen = pixels_.near(0, (scan_->descending ? last - at : at) + beside);
+    around.add(returned(seen), std::hypot(seen.x, seen.y), distance);
+  }
+  return around.answer();
+}
+
+}  // namespace safety_control_cloud

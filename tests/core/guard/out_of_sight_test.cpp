@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../../safety_control_cloud/core/guard/out_of_sight.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "guarded_robot.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double quarter = 1.5707963267948966;
+
+Settings remembering(double distance = 1.5) {
+  Settings settings = guard_settings();
+  settings.memory_distance = distance;
+  settings.unseen_speed = 0.7;
+  return settings;
+}
+
+/// A robot with odometry that turns and stands where it is put, before a camera that shows what it is given.
+struct Robot : GuardedRobot {
+  explicit Robot(const Settings& settings = remembering()) : GuardedRobot(settings) {}
+
+  Pose2 pose;
+  bool has_odometry = true;
+
+  void passes(double seconds, const Scene& scene) {
+    for (double t = 0.0; t < seconds; t += 0.05) {
+      pass(0.05);
+      if (has_odometry) control.note_odometry(now.ros, pose, {});
+      see(scene);
+      wants({});
+    }
+  }
+
+  /// Slowly enough to be believed.
+  void turns(double angle, const Scene& scene) {
+    const int steps = 40;
+    for (int i = 0; i < steps; ++i) {
+      pose.heading += angle / steps;
+      passes(0.05, scene);
+    }
+  }
+
+  const Guarded& asked(const Twist2& twist) {
+    passes(0.5, hall);
+    return wants(twist);
+  }
+
+  const Scene hall;
+};
+
+const Scene with_post({post(0.9f, 0.0f)});
+const Twist2 right{0.0, -0.5, 0.0}, left{0.0, 0.5, 0.0};
+
+TEST(OutOfSight, WhatHasLeftThePictureStaysWhereItWas) {
+  Robot robot, to_the_left, without(remembering(0.0));
+  for (Robot* one : {&robot, &to_the_left, &without}) {
+    one->passes(0.5, with_post);
+    one->turns(quarter, one->hall);
+  }
+  const Guarded& answer = robot.asked({0.0, -0.7, 0.0});
+  EXPECT_LT(answer.factor, 0.95) << answer.reason;
+  EXPECT_EQ(answer.sensor, "memory");
+  ASSERT_TRUE(answer.point);
+  EXPECT_NEAR(answer.point->y, -0.9 + 0.087, 0.06);
+  EXPECT_NEAR(answer.point->x, 0.0, 0.12);
+  EXPECT_EQ(to_the_left.asked(left).factor, 1.0) << "nothing is there";
+  EXPECT_EQ(without.asked({0.0, -0.7, 0.0}).factor, 1.0);
+}
+
+TEST(OutOfSight, WhatIsSeenThroughIsForgotten) {
+  Robot robot;
+  robot.passes(0.5, with_post);
+  robot.turns(quarter, robot.hall);
+  robot.turns(-quarter, robot.hall);
+  robot.passes(0.2, Scene({wall_before(1.5)}));
+  robot.turns(quarter, robot.hall);
+  EXPECT_EQ(robot.asked({0.0, -0.5, 0.0}).factor, 1.0) << robot.wants(right).reason;
+}
+
+/// Beyond the camera's range nothing returns from behind it.
+TEST(OutOfSight, WhereNothingReturnsAnyMoreItIsForgottenAfterAWhile) {
+  for (const double seconds : {0.5, 2.0}) {
+    Robot robot;
+    robot.passes(0.5, with_post);
+    robot.passes(seconds, robot.hall);
+    robot.turns(quarter, robot.hall);
+    EXPECT_EQ(robot.asked({0.0, -0.7, 0.0}).factor < 1.0, seconds < 1.0) << robot.wants(right).reason;
+  }
+}
+
+TEST(OutOfSight, ItsTimeEnds) {
+  Robot robot;
+  robot.passes(0.5, with_post);
+  robot.turns(quarter, robot.hall);
+  robot.passes(26.0, robot.hall);
+  EXPECT_LT(robot.asked({0.0, -0.7, 0.0}).factor, 1.0);
+  robot.passes(4.0, robot.hall);
+  EXPECT_EQ(robot.asked({0.0, -0.7, 0.0}).factor, 1.0);
+}
+
+TEST(OutOfSight, WhatWasFartherIsNotKept) {
+  Robot robot;
+  robot.passes(0.5, Scene({post(1.8f, 0.0f)}));
+  robot.turns(quarter, robot.hall);
+  EXPECT_EQ(robot.asked({0.0, -0.7, 0.0}).factor, 1.0);
+}
+
+TEST(OutOfSight, OneStrayReturnIsNothing) {
+  Robot robot;
+  robot.passes(0.05, with_post);
+  robot.turns(quarter, robot.hall);
+  EXPECT_EQ(robot.asked({0.0, -0.7, 0.0}).factor, 1.0) << robot.wants(right).reason;
+}
+
+TEST(OutOfSight, AfterAJumpOfOdometryItStandsUntilEachSensorHasLooked) {
+  Robot robot;
+  robot.passes(0.5, with_post);
+  robot.turns(quarter, robot.hall);
+  robot.pose.place.x += 3.0;
+  robot.pass(0.05);
+  robot.control.note_odometry(robot.now.ros, robot.pose, {});
+  const Guarded& answer = robot.wants(left);
+  EXPECT_EQ(answer.cause, Cause::NoOdometry) << answer.reason;
+  EXPECT_EQ(answer.factor, 0.0);
+  robot.passes(0.1, robot.hall);
+  EXPECT_EQ(robot.wants(right).factor, 1.0) << "where it was, nobody knows: " << robot.wants(right).reason;
+}
+
+TEST(OutOfSight, WithoutOdometryThatWasThereItStandsUntilTheirTimeEnds) {
+  Robot robot;
+  robot.passes(0.5, with_post);
+  robot.turns(quarter, robot.hall);
+  robot.has_odometry = false;
+  EXPECT_EQ(robot.asked(left).cause, Cause::NoOdometry);
+  robot.passes(29.0, robot.hall);
+  EXPECT_EQ(robot.asked(left).factor, 1.0) << robot.wants(left).reason;
+}
+
+TEST(OutOfSight, WhoNeverHadOdometryDrivesByWhatHeSees) {
+  Robot robot;
+  robot.has_odometry = false;
+  robot.passes(0.5, with_post);
+  EXPECT_EQ(robot.asked(left).factor, 1.0);
+}
+
+TEST(OutOfSight, ResetForgets) {
+  Robot robot;
+  robot.passes(0.5, with_post);
+  robot.turns(quarter, robot.hall);
+  robot.control.forget_losses();
+  EXPECT_EQ(robot.asked({0.0, -0.7, 0.0}).factor, 1.0);
+}
+
+}  // namespace
+}  // namespace safety_control_cloud
