@@ -165,9 +165,7 @@ std::optional<Known> GuardControl::remembered_at(const Instant& now, const std::
 }
 
 std::vector<Twist2> GuardControl::under_way(const Instant& now) const {
-  std::vector<Twist2> twists = given_.under_way(now.steady);
-  if (const auto twist = odometry_.twist_at(now.ros)) twists.push_back(*twist);
-  return twists;
+  return given_.under_way(now.steady, odometry_.twist_at(now.ros));
 }
 
 /// The cause stays what the sensors are worth, so that nobody takes this for sight.

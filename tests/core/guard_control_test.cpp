@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
+#include <deque>
 
 #include "../../safety_control_cloud/core/guard/directions.hpp"
 #include "guard/guarded_robot.hpp"
@@ -59,6 +61,29 @@ TEST(GuardControl, WhoDrivesAtAWallStopsBeforeIt) {
       ASSERT_GT(front, 0.04) << speed;
     }
     EXPECT_LT(front, 0.25) << speed << ": it came near";
+  }
+}
+
+/// Told before is not told now: what it is given may fall, but not to nothing and up again.
+TEST(GuardControl, WhoDrivesAtAWallSlowsDownWithoutAHalt) {
+  for (const double speed : {0.3, 0.45, 0.7}) {
+    for (const bool odometry : {false, true}) {
+      GuardedRobot robot;
+      double front = 1.6, driven = 0.0, least = 1.0;
+      std::deque<double> on_its_way(8, 0.0);
+      for (int i = 0; front > 0.2 && i < 1000; ++i) {
+        if (odometry) robot.control.note_odometry(robot.now.ros, {{1.6 - front, 0.0}, 0.0}, {driven, 0.0, 0.0});
+        if (i % 5 == 0) robot.see(Scene({wall_before(front)}));
+        on_its_way.push_back(robot.wants({speed, 0.0, 0.0}).given.linear[0]);
+        driven += std::clamp(on_its_way.front() - driven, -0.0036, 0.01);
+        on_its_way.pop_front();
+        if (i > 20 && front > 0.25) least = std::min(least, on_its_way.back());
+        front -= 0.01 * driven;
+        robot.pass(0.01);
+      }
+      EXPECT_LE(front, 0.2) << speed;
+      EXPECT_GT(least, 0.05) << speed << (odometry ? " with odometry" : "");
+    }
   }
 }
 

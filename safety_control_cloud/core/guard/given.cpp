@@ -24,6 +24,17 @@ double slowed(double from, double to, double most) {
   return gains ? to : toward(from, to, most);
 }
 
+double size_of(const Twist2& twist) { return std::max({std::abs(twist.vx), std::abs(twist.vy), std::abs(twist.w)}); }
+
+/// The c in [0, 1] with which `twist` is c times `whole`, if there is one; `whole` is as large as it.
+std::optional<double> share_in(const Twist2& whole, const Twist2& twist) {
+  const double size = size_of(whole), share = size > 0.0 ? size_of(twist) / size : 0.0;
+  const Twist2 scaled = limited(whole, share);
+  const double off =
+      std::max({std::abs(scaled.vx - twist.vx), std::abs(scaled.vy - twist.vy), std::abs(scaled.w - twist.w)});
+  return off <= rounding * (1.0 + size) ? std::optional(share) : std::nullopt;
+}
+
 }  // namespace
 
 void Given::note(const Twist2& twist, double now) {
@@ -64,7 +75,7 @@ Twist2 Given::slowly_at(double moment) const {
   return twist;
 }
 
-std::vector<Twist2> Given::under_way(double now) const {
+std::vector<Twist2> Given::under_way(double now, const std::optional<Twist2>& measured) const {
   std::vector<Twist2> twists{told_at(now - following_.delay)};
   const auto add = [&](const Twist2& twist) {
     if (std::none_of(twists.begin(), twists.end(), [&](const Twist2& other) { return same(twist, other); }))
@@ -74,7 +85,46 @@ std::vector<Twist2> Given::under_way(double now) const {
   for (const Told& told : told_) {
     if (told.since >= now - following_.delay) add(told.twist);
   }
+  if (const auto steady = twists.size() > 1 ? as_if_steady(twists, now) : std::nullopt) {
+    twists = {told_.back().twist};
+    add(steady->twist);
+    if (measured) add(steady->with(*measured));
+  } else if (measured) {
+    add(*measured);
+  }
   return twists;
+}
+
+/// Each of them holds no longer than until the next has its effect. Where all are shares of one motion, that comes to
+/// one share k, steady for the delay, with the stopping way of who obeys as late and as slowly as he can:
+/// k delay + k^2 t_b / 2 (speed/law.hpp). Who obeys sooner has less of that before him.
+std::optional<Given::Steady> Given::as_if_steady(const std::vector<Twist2>& twists, double now) const {
+  const auto by_size = [](const Twist2& a, const Twist2& b) { return size_of(a) < size_of(b); };
+  const Twist2 whole = *std::max_element(twists.begin(), twists.end(), by_size);
+  for (const Twist2& twist : twists)
+    if (!share_in(whole, twist)) return std::nullopt;
+  const double delay = following_.delay, steps = std::ceil(delay / step), time = delay / steps;
+  const double at_first = *share_in(whole, slowly_at(now));
+  double share = at_first, way = 0.0;
+  for (double i = 1.0; i <= steps; ++i) {
+    const auto next = share_in(whole, slowly_at(now + i * time));
+    if (!next) return std::nullopt;
+    way += time * std::max(share, *next);
+    share = *next;
+  }
+  const double braking =
+      std::max(speed_of(whole) / following_.linear_deceleration, std::abs(whole.w) / following_.angular_deceleration);
+  const double needed = way + 0.5 * braking * share * share;
+  const double steady = 2.0 * needed / (delay + std::sqrt(delay * delay + 2.0 * braking * needed));
+  return Steady{limited(whole, steady), limited(whole, at_first)};
+}
+
+/// What is measured of the motion at most as large as it may be now is in it already; the rest is not.
+Twist2 Given::Steady::with(const Twist2& measured) const {
+  const auto product = [](const Twist2& a, const Twist2& b) { return a.vx * b.vx + a.vy * b.vy + a.w * b.w; };
+  const double size = product(now, now);
+  const Twist2 known = limited(now, size > 0.0 ? product(measured, now) / size : 0.0);
+  return {twist.vx + measured.vx - known.vx, twist.vy + measured.vy - known.vy, twist.w + measured.w - known.w};
 }
 
 template <class TwistAt>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "pose.hpp"
@@ -26,8 +27,9 @@ class Given {
   /// The base is told this from now on.
   void note(const Twist2& twist, double now);
 
-  /// All that it may be doing: every twist of the last delay, and how it still moves if it brakes as slowly as it can.
-  std::vector<Twist2> under_way(double now) const;
+  /// All that it may be doing until a new command has its effect: every twist of the last delay, how it still moves if
+  /// it brakes as slowly as it can, and what is `measured`; or fewer, if no stopping way of these exceeds theirs.
+  std::vector<Twist2> under_way(double now, const std::optional<Twist2>& measured = std::nullopt) const;
 
   /// Ways that it may have gone since `then`: none, and those of who obeys at once, half of it, or as late as can be.
   /// The true one lies between them.
@@ -43,6 +45,15 @@ class Given {
   std::deque<Told>::const_iterator first_after(double moment) const;
   Twist2 told_at(double moment) const;
   Twist2 slowly_at(double moment) const;
+  /// What comes to the same, until it stops, as one twist that is kept for the delay.
+  struct Steady {
+    Twist2 twist;
+    Twist2 now;  ///< what the slowest base does at this moment
+
+    Twist2 with(const Twist2& measured) const;
+  };
+
+  std::optional<Steady> as_if_steady(const std::vector<Twist2>& twists, double now) const;
   template <class TwistAt>
   Pose2 way_by(TwistAt twist_at, double then, double now) const;
 

@@ -2,6 +2,10 @@
 // Where the robot went: by odometry, or by what it was told.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+#include <vector>
+
 #include "../../../safety_control_cloud/core/guard/command.hpp"
 #include "../../../safety_control_cloud/core/guard/given.hpp"
 #include "../../../safety_control_cloud/core/guard/odometry.hpp"
@@ -86,7 +90,9 @@ TEST(Given, WhatIsUnderWayBrakesNoFasterThanItCan) {
   for (int i = 1; i <= 20; ++i) given.note({}, 2.0 + 0.02 * i);
   double fastest = 0.0;
   for (const Twist2& twist : given.under_way(2.4)) fastest = std::max(fastest, twist.vx);
-  EXPECT_NEAR(fastest, 0.5 - 0.36 * (0.4 - 0.02 - 0.15), 1e-9);
+  const double now = 0.5 - 0.36 * (0.4 - 0.02 - 0.15);
+  EXPECT_LE(fastest, now);
+  EXPECT_NEAR(fastest * 0.15 + fastest * fastest / 0.72, now * now / 0.72, 2e-3) << "as if steady, then the same way";
   const std::vector<Twist2> later = given.under_way(4.5);
   EXPECT_TRUE(stands(later[0]));
 }
@@ -98,6 +104,64 @@ TEST(Given, ABaseThatIsToldToTurnRoundMayStillGoOn) {
   double fastest = -1.0;
   for (const Twist2& twist : given.under_way(2.3)) fastest = std::max(fastest, twist.vx);
   EXPECT_GT(fastest, 0.4);
+}
+
+/// [m] until the robot stands, in the form of speed/law.hpp, of the worst of what may be under way.
+double longest_stop(const std::vector<Twist2>& under_way) {
+  double longest = 0.0;
+  for (const Twist2& twist : under_way)
+    longest =
+        std::max(longest, std::abs(twist.vx) * slow.delay + twist.vx * twist.vx / (2.0 * slow.linear_deceleration));
+  return longest;
+}
+
+/// The same of a base that obeys after `delay` [s] and brakes as slowly as it may, told to stand now.
+double true_stop(const std::vector<Twist2>& told, double period, double delay) {
+  double speed = told.front().vx, way = 0.0, aim = speed;
+  const double now = period * static_cast<double>(told.size() - 1);
+  for (double time = 0.0; time < now + 5.0; time += 1e-3) {
+    const double since = time - delay;
+    if (since >= now)
+      aim = 0.0;
+    else if (since >= 0.0)
+      aim = told[static_cast<std::size_t>(since / period)].vx;
+    speed = aim > speed ? aim : std::max(aim, speed - 1e-3 * slow.linear_deceleration);
+    if (time >= now) way += 1e-3 * speed;
+  }
+  return way;
+}
+
+TEST(Given, NoStoppingWayIsLongerThanOfWhatIsUnderWay) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (int turn = 0; turn < 300; ++turn) {
+    Given given(slow);
+    std::vector<Twist2> told;
+    double speed = share(random);
+    const double falls = 0.1 * share(random), jumps = turn % 3 == 0 ? 0.3 : 0.0;
+    for (int i = 0; i < 40; ++i) {
+      speed = share(random) < jumps ? share(random) : std::max(0.0, speed - falls * share(random));
+      told.push_back({0.7 * speed, 0.0, 0.0});
+      given.note(told.back(), 1.0 + 0.05 * i);
+    }
+    const double longest = longest_stop(given.under_way(1.0 + 0.05 * 39));
+    for (const double delay : {0.0, 0.04, 0.08, 0.12, 0.15})
+      EXPECT_LE(true_stop(told, 0.05, delay), longest + 2e-3) << "turn " << turn << ", delay " << delay;
+  }
+}
+
+TEST(Given, WhatWasTakenBackLastsNoLongerThanUntilThatHasItsEffect) {
+  Given given(slow);
+  for (int i = 0; i <= 50; ++i) given.note({0.5, 0.0, 0.0}, 1.0 + 0.02 * i);
+  given.note({0.4, 0.0, 0.0}, 2.01);
+  const double lasts = 2.01 + slow.delay - 2.14;  // then it may go at 0.5 still
+  const double braked = (0.5 * 0.5 - 0.4 * 0.4) / (2 * slow.linear_deceleration);
+  const double least = lasts * 0.5 + braked;
+  EXPECT_GT(longest_stop(given.under_way(2.14)), least);
+  EXPECT_LT(longest_stop(given.under_way(2.14)), 0.5 * slow.delay + 0.5 * 0.5 / (2 * slow.linear_deceleration) - 0.02);
+  EXPECT_LT(longest_stop(given.under_way(2.14, Twist2{0.5, 0.0, 0.0})), 0.5 * slow.delay + 0.34) << "measured or not";
+  EXPECT_GT(longest_stop(given.under_way(2.14, Twist2{0.7, 0.0, 0.0})), 0.7 * lasts + 0.7 * 0.7 / 0.72)
+      << "nobody told it that";
 }
 
 TEST(Given, TheTrueWayLiesBetweenTheOnesThatItNames) {
