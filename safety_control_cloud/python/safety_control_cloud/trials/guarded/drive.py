@@ -50,7 +50,8 @@ def moments(scenario: Scenario, stage: Stage, guard: Guard, driver: Driver) -> I
     for tick in range(round(scenario.seconds / TICK)):
         now = tick * TICK
         if tick % _TICKS_A_PICTURE == 0:
-            clouds.take(now)
+            if guard.looks:
+                clouds.take(now)
             yield Moment(now, robot.pose, robot.velocity, line.passed, clouds.latest, tuple(hits), driver.has_arrived)
             hits.clear()
         line.run(robot, clouds.arrived(now), tick)

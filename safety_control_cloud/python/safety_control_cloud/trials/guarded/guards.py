@@ -35,6 +35,8 @@ class Passed:
 
 
 class Guard(Protocol):
+    looks: bool  # at pictures; who does not saves the time of drawing them
+
     def see(self, depth: NDArray[np.float32], stamp: float, now: float) -> None:
         """A picture [m] taken at `stamp` arrives at `now` [s]."""
 
@@ -46,6 +48,8 @@ class Guard(Protocol):
 
 
 class Ours:
+    looks = True
+
     def __init__(self, scenario: Scenario, xtion: Xtion = XTION) -> None:
         from ... import core  # compiled; the others do without
 
@@ -73,6 +77,8 @@ class Ours:
 class TutorialGuard:
     """The tutorial's zones as a guard: forward no faster than the zone's speed, all else as it is wanted."""
 
+    looks = True
+
     def __init__(self, scenario: Scenario) -> None:
         self._tutorial, self._wanted, self._speed = Tutorial(), Velocity(), 0.0
 
@@ -95,6 +101,8 @@ class TutorialGuard:
 
 class Nobody:
     """What is wanted is done."""
+
+    looks = False
 
     def __init__(self, scenario: Scenario) -> None:
         self._wanted = Velocity()

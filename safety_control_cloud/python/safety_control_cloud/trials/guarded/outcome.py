@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from math import hypot
+from math import hypot, inf
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -88,7 +88,7 @@ class Outcome:
     lost: int  # of these, not passed for what was lost from sight
     arrived: float | None = None  # [s] polite
     alone: float | None = None  # [s] without a guard
-    alone_touches: int = 0
+    alone_clearance: float | None = None  # [m] least, to what is there
 
     @property
     def name(self) -> str:
@@ -97,12 +97,16 @@ class Outcome:
     @property
     def time_lost(self) -> float | None:
         """Of the time without a guard, as a share."""
-        return self.arrived / self.alone - 1 if self.arrived is not None and self.alone else None
+        return self.arrived / self.alone - 1 if self.is_polite and self.arrived is not None else None
+
+    @property
+    def is_polite(self) -> bool:
+        """Without a guard the same driver comes there, and keeps the margin that the guard is to keep."""
+        return self.alone is not None and self.alone_clearance > MARGIN
 
     @property
     def is_stuck(self) -> bool:
-        """It did not come where the same driver comes without a guard."""
-        return self.alone is not None and self.arrived is None
+        return self.is_polite and self.arrived is None
 
 
 class Judge:
@@ -117,6 +121,7 @@ class Judge:
         self._shares: dict[str, list[float]] = {"ahead": [], "seeing": [], "elsewhere": []}
         self._safe = self._whole = self._lost = self._count = 0
         self._metres, self._last, self.arrived = 0.0, None, None
+        self.clearance = inf  # [m] the least
 
     @property
     def is_over(self) -> bool:
@@ -129,6 +134,8 @@ class Judge:
             self._metres += hypot(moment.pose.x - self._last.pose.x, moment.pose.y - self._last.pose.y)
         if moment.has_arrived and self.arrived is None:
             self.arrived = moment.time
+        if self._scenario.route:
+            self.clearance = min(self.clearance, self._ground.clearance(moment.pose, moment.time))
         if self._count % JUDGED_EVERY == 2:
             self._weigh(moment)
         if moment.depth is not None:
@@ -141,7 +148,7 @@ class Judge:
         return Outcome(
             scenario.family, scenario.seed, self._method, "rectangle" if scenario.hull else "circle", tuple(self._touches),
             self._last.time, self._metres, tuple(shares["ahead"]), tuple(shares["seeing"]), tuple(shares["elsewhere"]),
-            self._safe, self._whole, self._lost, self.arrived, alone.arrived if alone else None, len(alone._touches) if alone else 0)
+            self._safe, self._whole, self._lost, self.arrived, alone.arrived if alone else None, alone.clearance if alone else None)
 
     def _note(self, hit: Hit, moment: Moment) -> None:
         if hit.approach <= CAUSED_ABOVE:

@@ -27,7 +27,8 @@ class Row:
     share_elsewhere: float  # where it was to turn in place or go backward
     whole: float  # of the moments at which all of a wish to go forward was safe: passed equal in every bit
     whole_seeing: float  # the same, without those at which something was lost from sight
-    stuck: int  # polite drives that did not arrive
+    polite: int  # drives in which the driver alone arrives and keeps the margin
+    stuck: int  # of them, those that did not arrive
     time_lost_median: float  # of the time without a guard, as a share
     time_lost_p90: float
 
@@ -49,8 +50,9 @@ def row(family: str, method: str, outcomes: Sequence[Outcome]) -> Row:
         family, method, len(outcomes), sum(one.metres for one in outcomes), {kind: kinds.count(kind) for kind in KINDS},
         _mean(one.shares for one in outcomes), _mean(one.shares_seeing for one in outcomes),
         _mean(one.shares_elsewhere for one in outcomes), whole / safe if safe else nan,
-        whole / (safe - lost) if safe > lost else nan, sum(one.is_stuck for one in outcomes),
-        float(np.median(late)) if late else nan, float(np.percentile(late, 90)) if late else nan)
+        whole / (safe - lost) if safe > lost else nan, sum(one.is_polite for one in outcomes),
+        sum(one.is_stuck for one in outcomes), float(np.median(late)) if late else nan,
+        float(np.percentile(late, 90)) if late else nan)
 
 
 def is_failure(outcome: Outcome) -> bool:

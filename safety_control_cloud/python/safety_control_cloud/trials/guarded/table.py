@@ -13,7 +13,7 @@ from .outcome import IN_VIEW, KINDS, Outcome
 from .summary import Row, is_failure, row, rows
 
 HEADINGS = ("family", "method", "drives", "way [m]", *KINDS, "given / safe", "seeing", "elsewhere", "whole", "seeing ",
-            "stuck", "late p50", "late p90")
+            "polite", "stuck", "late p50", "late p90")
 EXPLAINED = (
     "contacts while moving, with what was: " + ", ".join(KINDS),
     "given / safe: mean of the given over the greatest safe factor, where it was to go forward; seeing: while nothing was lost "
@@ -35,7 +35,7 @@ def cells(one: Row) -> tuple[str, ...]:
 
     return (one.family, one.method, str(one.drives), f"{one.metres:.0f}", *(count(one.touches[kind]) for kind in KINDS),
             share(one.share), share(one.share_seeing), share(one.share_elsewhere), percent(one.whole),
-            percent(one.whole_seeing), count(one.stuck), percent(one.time_lost_median), percent(one.time_lost_p90))
+            percent(one.whole_seeing), count(one.polite), count(one.stuck), percent(one.time_lost_median), percent(one.time_lost_p90))
 
 
 def table_of(outcomes: Sequence[Outcome]) -> Table:

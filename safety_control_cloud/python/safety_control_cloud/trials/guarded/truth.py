@@ -64,6 +64,11 @@ class Ground:
                 return law.greatest(time, wanted)
         return 1.0
 
+    def clearance(self, pose: Pose, now: float, farthest: float = 0.5) -> float:
+        """[m] from the hull to the nearest outline; at most `farthest`."""
+        points = self._near(pose, now, _reach(self._hull) + farthest)
+        return min(farthest, float(from_hull(self._hull, points).min())) if len(points) else farthest
+
     def _near(self, pose: Pose, now: float, reach: float) -> NDArray[np.float64]:
         """(n, 2) outlines' points [m] as the robot sees them."""
         found = [np.empty((0, 2))]
