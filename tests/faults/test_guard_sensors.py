@@ -128,7 +128,7 @@ def test_a_blind_front_camera_leaves_the_way_back(robot):
     robot.camera.show(always(cloud_of(np.full((HEIGHT, WIDTH, 3), np.nan, np.float32))))
     robot.stands("BLIND")
     robot.driver.say(BACK)
-    assert robot.gives(lambda state: 0 < state.factor < 1).given.linear.x == pytest.approx(-0.1)
+    robot.passes(BACK)  # the others look there
 
 
 def test_a_camera_that_is_not_required_only_stops_to_count(robot):
