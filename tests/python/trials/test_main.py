@@ -9,7 +9,8 @@ import pytest
 from rich.console import Console
 
 from safety_control_cloud.trials import names
-from safety_control_cloud.trials.families import FAMILIES
+from safety_control_cloud.trials.command import run
+from safety_control_cloud.trials.families import FAMILIES, scenario_of
 from safety_control_cloud.trials.options import options
 from safety_control_cloud.trials.replay import replay
 
@@ -24,7 +25,7 @@ def test_a_drive_to_replay_is_named_by_family_and_seed():
 
 @pytest.mark.parametrize(
     "arguments", [["--replay", "wall"], ["--replay", "nowhere:1"], ["--jobs", "0"], ["--video", "a.gif"], ["--family", "x"],
-                  ["--rrd", "a.rrd"], ["--view"], ["--replay", "wall:1", "--rrd", "a.txt"]]
+                  ["--rrd", "a.rrd"], ["--view"], ["--strays", "0"], ["--replay", "wall:1", "--strays", "2"], ["--replay", "wall:1", "--rrd", "a.txt"]]
 )
 def test_what_cannot_be_driven_is_refused(arguments, capsys):
     with pytest.raises(SystemExit) as ended:
@@ -54,7 +55,15 @@ def test_demo_and_bench_too_refuse_it_at_once(command):
 
 def test_a_drive_is_told_and_filmed(tmp_path):
     console = Console(record=True, width=130)
-    replay("wall_in_the_blind_zone", 1, ["tutorial"], tmp_path / "out.gif", console)
+    replay(scenario_of("wall_in_the_blind_zone", 1), ["tutorial"], tmp_path / "out.gif", console)
     told = console.export_text()
     assert "wall_in_the_blind_zone:1" in told and "end" in told
     assert (tmp_path / "out.gif").stat().st_size > 10_000
+
+
+def test_a_wall_too_near_to_return_anything_is_free_to_the_tutorial_and_a_stray_is_an_obstacle(capsys):
+    told = []
+    for strays in ("0", "0.1"):
+        assert run(options(["--replay", "wall_in_the_blind_zone:1", "--method", "tutorial", "--strays", strays])) == 0
+        told.append("ran into wall" in capsys.readouterr().out)
+    assert told == [True, False]

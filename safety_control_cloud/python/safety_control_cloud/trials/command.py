@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from datetime import date
 from shlex import quote
 from typing import Any
@@ -33,10 +34,14 @@ def _replay(given: argparse.Namespace, methods: Sequence[str]) -> int:
 
         guarded.replay(*given.replay, methods, _console())
         return 0
+    from .families import scenario_of
     from .replay import replay
 
+    scenario = scenario_of(*given.replay)
+    if given.strays is not None:
+        scenario = replace(scenario, stray=given.strays)
     with recorded_in(given.rrd, given.view) as rrd:
-        replay(*given.replay, methods, given.video, _console(), rrd)
+        replay(scenario, methods, given.video, _console(), rrd)
     return 0
 
 

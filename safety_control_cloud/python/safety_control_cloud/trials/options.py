@@ -33,14 +33,16 @@ def options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     parser.add_argument("--report", metavar="DIR", type=Path,
                         help="write a page with the table, histograms and our collisions")
     parser.add_argument("--replay", metavar="FAMILY:SEED", type=_scenario, help="one drive, told moment by moment")
+    parser.add_argument("--strays", metavar="SHARE", type=_share,
+                        help="with --replay: of the pixels too near for the camera, which return any depth, in place of the share drawn")
     parser.add_argument("--video", metavar="F.gif", type=view.writable, help="with --replay: what the robot saw and where it went")
     view.add_to(parser)
     parser.add_argument("--scheduler", metavar="ADDRESS", help="drive on the workers of this Dask scheduler")
     given = parser.parse_args(arguments)
     if given.report:
         view.make(given.report, parser)
-    for name in ("video", "rrd", "view"):
-        if getattr(given, name) and not given.replay:
+    for name in ("strays", "video", "rrd", "view"):
+        if getattr(given, name) != parser.get_default(name) and not given.replay:
             parser.error(f"--{name} goes with --replay")
         if getattr(given, name) and given.driver:
             parser.error(f"--{name} does not go with --driver")
@@ -56,6 +58,13 @@ def _positive(text: str) -> int:
     number = int(text)
     if number < 1:
         raise argparse.ArgumentTypeError(f"{text} is not above 0")
+    return number
+
+
+def _share(text: str) -> float:
+    number = float(text)
+    if not 0.0 <= number <= 1.0:
+        raise argparse.ArgumentTypeError(f"{text} is not within 0 and 1")
     return number
 
 

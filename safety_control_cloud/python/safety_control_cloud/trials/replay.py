@@ -11,7 +11,6 @@ from rich.console import Console
 
 from .drawing import plan_and_speed, plan_picture
 from .episode import episode
-from .families import scenario_of
 from .outcome import Moment, Outcome
 from .scenario import Scenario
 from .stage import Stage
@@ -19,11 +18,8 @@ from .stage import Stage
 FRAME_TIME = 0.2  # [s] between two pictures of the film
 
 
-def replay(
-    family: str, seed: int, methods: Sequence[str], video: Path | None, console: Console, rrd: Path | None = None
-) -> None:
+def replay(scenario: Scenario, methods: Sequence[str], video: Path | None, console: Console, rrd: Path | None = None) -> None:
     """Prints what happened, and films or records the last of the methods."""
-    scenario = scenario_of(family, seed)
     console.print(f"{scenario.name}  " + ", ".join(f"{name} {value:g}" for name, value in scenario.facts), highlight=False)
     for method in methods:
         moments, outcome = moments_of(scenario, method)
