@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """For every test."""
+import os
 import signal
-import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent))  # pytest's importlib mode does not
-import skips  # noqa: E402
+import skips
+
+SUPPORT = str(Path(__file__).parent / "support")
+# The programs that tests start, rostests and workers among them, find there what .pytest.ini gives pytest itself.
+os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, [SUPPORT, os.environ.get("PYTHONPATH")]))
 
 # A shell's background job ignores SIGINT, and so would every process that a test starts, and ends as Ctrl-C does.
 if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:

@@ -9,9 +9,7 @@ import skips
 
 TESTS = Path(__file__).resolve().parent
 CONFTEST = """
-import sys
 from pathlib import Path
-sys.path.insert(0, {tests!r})
 import skips
 def pytest_configure(config):
     config.pluginmanager.register(skips.Watch(skips.allowed_in(Path("allowed.yaml")), "debian12"))
@@ -38,8 +36,8 @@ LISTED = "- {{test: {test}, says: no camera, where: [{where}], because: this mac
 @pytest.fixture
 def run(tmp_path):
     """Runs pytest on a folder with one test that passes and one that skips in the given way."""
-    (tmp_path / "conftest.py").write_text(CONFTEST.format(tests=str(TESTS)))
-    (tmp_path / "pytest.ini").write_text("[pytest]\n")
+    (tmp_path / "conftest.py").write_text(CONFTEST)
+    (tmp_path / "pytest.ini").write_text(f"[pytest]\npythonpath = {TESTS} {TESTS / 'support'}\n")
     (tmp_path / "test_feet.py").write_text("def test_stand(): pass\n")
     (tmp_path / "gtest").write_text(GTEST)
     (tmp_path / "gtest").chmod(0o755)

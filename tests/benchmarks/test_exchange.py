@@ -5,13 +5,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-import pytest
-import rosgraph
-
-HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE))
 import exchange
 import nodes
+import pytest
+import rosgraph
 
 from safety_control_cloud.ros_session import roscore
 
@@ -62,7 +59,7 @@ def test_the_json_names_every_figure_and_case(tmp_path):
     file = tmp_path / "figures.json"
     parts = ["--only", "nodes", "--only", "depth", "--only", "cameras"]
     little = ["--quick", *parts, "--repetitions", "1", "--clouds", "2"]
-    subprocess.run([sys.executable, HERE, *little, "--json", file], stdout=subprocess.DEVNULL, check=True)
+    subprocess.run([sys.executable, Path(__file__).parent, *little, "--json", file], stdout=subprocess.DEVNULL, check=True)
     figures = json.loads(file.read_text())
     ratios = ("node_cpu_vs_tutorial", "node_cpu_vs_floor", "node_latency_vs_floor")
     for name in (*ratios, "node_faults_per_cloud", "nodelet_latency_ms", "depth_cpu_vs_chain"):

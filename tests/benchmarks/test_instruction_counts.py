@@ -1,13 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The kernel does not grow slower unnoticed. After a change that is meant: scripts/bench --store-instructions."""
 import shutil
-import sys
-from pathlib import Path
 
-import pytest
-
-sys.path.insert(0, str(Path(__file__).parent))
 import instructions
+import pytest
 
 GROWTH = 1.10
 

@@ -1,12 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A ROS master for all fault tests, and for each its own node, camera and ears."""
-import sys
-from pathlib import Path
-
 import pytest
-
-sys.path.insert(0, str(Path(__file__).resolve().parent))
-
 import rospy
 from robot import driving_robot
 

@@ -7,26 +7,20 @@ from contextlib import ExitStack
 
 import rosgraph
 import rospy
+from lost_board import robot_that_lost_a_board
 from masters import master_again
-from robot import NODE, START, eventually, node_under_test, robot_with
-from scenes import hall, wall
-from test_restart import BOARD, FREE, PASSED
+from robot import NODE, eventually
 
 from safety_control_cloud.ros_session import roscore
 
 with roscore() as uri, ExitStack() as until_the_end:
     rospy.init_node("forgetful_master", disable_signals=True, disable_rosout=True)
-    with node_under_test() as first, robot_with(first, FREE) as robot:
-        robot.drives(within=START)
-        robot.camera.show(hall(BOARD, wall(3.0)))
-        robot.stops("SEEN")
-        robot.camera.show(hall(PASSED))
-        robot.stops("NEAR_LOSS")
+    with robot_that_lost_a_board() as robot:
         os.kill(xmlrpc.client.ServerProxy(uri).getPid("/forgetful_master")[2], signal.SIGKILL)
         until_the_end.enter_context(master_again(uri))
         server = rosgraph.Master("/forgetful_master")
         eventually(lambda: server.hasParam(NODE + "_lost/things"))
-        eventually(lambda: "the ROS master has forgotten what was near" in first.output())
+        eventually(lambda: "the ROS master has forgotten what was near" in robot.process.output())
         robot.camera.changes()
         robot.stops("NEAR_LOSS")
     rospy.signal_shutdown("tested")

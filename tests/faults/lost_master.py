@@ -10,12 +10,12 @@ import signal
 import sys
 import xmlrpc.client
 from contextlib import ExitStack
-from pathlib import Path
 
+import camera
 import rosgraph
 import rospy
 from masters import master_again
-from robot import NODE, SOURCE_TIMEOUT, driving_robot, eventually
+from robot import NODE, SOURCE_TIMEOUT, driving_robot
 from scenes import hall, wall
 
 from safety_control_cloud.processes import process
@@ -43,7 +43,7 @@ with roscore() as uri, ExitStack() as until_the_end:
 
         robot.camera.pause()
         robot.stops("SILENT", within=SOURCE_TIMEOUT)
-        with process([sys.executable, str(Path(__file__).with_name("camera.py")), "3.0"]):
+        with process([sys.executable, camera.__file__, "3.0"]):
             robot.keeps(0.0, seconds=3.0)
         assert NODE not in [node for _, nodes in rosgraph.Master(NODE).getSystemState()[1] for node in nodes]
     rospy.signal_shutdown("tested")

@@ -1,47 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Others that command the robot on the node's own topic: whoever obeys the latest command obeys them and us in turn."""
 import signal
-import sys
 import time
-from contextlib import contextmanager
-from pathlib import Path
 
 import pytest
+from commanders import ITS_END, NOTICED, commander, first, is_doubted, is_of, mean_speed
 from diagnostic_msgs.msg import DiagnosticArray
-from robot import AGAIN, GRACE, NODE, START, Heard, after, eventually, node_under_test
+from robot import AGAIN, Heard, after, eventually, node_under_test
 
 from safety_control_cloud.msg import SafetyState
-from safety_control_cloud.processes import process
-
-COMMANDER = Path(__file__).with_name("commander.py")
-NOTICED = 0.2 + GRACE  # [s]
-ITS_END = 1.0 + AGAIN + GRACE  # [s] of silence until it counts as gone, and until the robot drives
-
-
-@contextmanager
-def commander(speed, rate, *arguments, name="teleop"):
-    with process([sys.executable, str(COMMANDER), str(speed), str(rate), *arguments, f"__name:={name}"]) as running:
-        yield running
-
-
-def is_of(name):
-    return lambda command: command._connection_header["callerid"] == name
-
-
-def mean_speed(commands, since):
-    """Of a base that obeys the latest command [m/s]."""
-    heard = [(arrival, command.linear.x) for arrival, command in commands.timed() if arrival >= since]
-    driven = sum((later - arrival) * speed for (arrival, speed), (later, _) in zip(heard, heard[1:]))
-    return driven / (heard[-1][0] - heard[0][0])
-
-
-def first(heard, fits, since):
-    heard.until(lambda message: any(fits(later) for _, later in after(since, heard)))
-    return next(arrival for arrival, message in after(since, heard) if fits(message))
-
-
-def is_doubted(state):
-    return state.cause_text == "TWO_COMMANDERS" and state.speed == 0.0
 
 
 @pytest.mark.parametrize("rate", [1.0, 5.0])

@@ -9,10 +9,10 @@ from pathlib import Path
 import dynamic_reconfigure.client
 import pytest
 import rospy
-from robot import AGAIN, GRACE, NODE, ONE_CLOUD, SOURCE_TIMEOUT, START, after, eventually, robot_with
+from commanders import ITS_END, first, is_doubted, mean_speed
+from robot import AGAIN, NODE, SOURCE_TIMEOUT, START, after, eventually, robot_with
 from scenes import always, cloud_of, hall, points_of, wall
 from std_msgs.msg import Float64
-from test_commanders import ITS_END, NOTICED, first, is_doubted, is_of, mean_speed
 
 from safety_control_cloud.processes import process
 

@@ -6,6 +6,7 @@ import sys
 from contextlib import contextmanager
 from pathlib import Path
 
+import camera
 import numpy as np
 import pytest
 from camera import Camera
@@ -14,7 +15,7 @@ from scenes import FRAME, always, cloud_of, hall, wall
 
 from safety_control_cloud.processes import process
 
-CAMERA = Path(__file__).with_name("camera.py")
+CAMERA = Path(camera.__file__)
 
 
 @contextmanager

@@ -28,14 +28,19 @@ BAGS = [name for name in TRUTH if name.endswith(".bag")]
 
 
 def pcd2bag() -> ModuleType:
-    sys.path.insert(0, str(TOOL.parent))
-    try:
-        spec = importlib.util.spec_from_file_location(TOOL.stem, TOOL)
-        module = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(module)
-        module.truth_of = importlib.import_module("pcdlib").truth
-    finally:
-        sys.path.remove(str(TOOL.parent))
+    """The tool, with what it imports of its neighbour."""
+    library = loaded(TOOL.with_name("pcdlib.py"))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setitem(sys.modules, "pcdlib", library)
+        tool = loaded(TOOL)
+    tool.truth_of = library.truth
+    return tool
+
+
+def loaded(file: Path) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(file.stem, file)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
     return module
 
 

@@ -1,14 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every command of TUTORIAL.md does what the page says."""
 import os
-import sys
-from pathlib import Path
 
 import pytest
-
-sys.path.insert(0, str(Path(__file__).parent))
-
-from page import PAGE, Step, missing_in, steps_of  # noqa: E402
+from page import PAGE, Step, missing_in, steps_of
 
 
 def test_a_command_its_output_and_its_picture_are_one_step():

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A thousand bags on a cluster whose workers are killed at random: the same rows as one process gives.
 
-By hand, as it takes minutes (in a shell with devel/setup.bash and .venv/bin in PATH): python tests/python/judge/thousand.py
+By hand, as it takes minutes (in a shell with devel/setup.bash and .venv/bin in PATH): PYTHONPATH=tests/support:$PYTHONPATH python tests/python/judge/thousand.py
 """
 from __future__ import annotations
 
@@ -15,17 +15,13 @@ import time
 from pathlib import Path
 from typing import Any, Dict, List
 
-HERE = Path(__file__).resolve().parent
-for place in (HERE, HERE.parent, HERE.parents[1]):
-    sys.path.insert(0, str(place))
-
 import distributed
 import pyarrow as pa
 import pyarrow.parquet as pq
 from drives import wall, write_drive
 from test_cluster import COMPARED, judge
 
-SHARED = HERE.parents[3] / "shared"
+SHARED = Path(__file__).resolve().parents[4] / "shared"
 LONG, CLOUDS_OF_A_LONG_ONE, DAMAGED = 0.1, 500, 0.03
 PAUSE = (8.0, 20.0)  # [s] between two deaths
 

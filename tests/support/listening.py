@@ -2,7 +2,6 @@
 """What the rostests share: hearing topics without sleeping, and playing bags."""
 from __future__ import annotations
 
-import sys
 import tempfile
 import threading
 import time
@@ -15,7 +14,6 @@ from typing import Any, Callable, Dict, Iterator, List, Sequence, Tuple
 import rosgraph
 import rospy
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from recordings import TOPIC, MadeCloud, write_ros1
 
 from safety_control_cloud.processes import Process, process

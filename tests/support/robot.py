@@ -13,7 +13,6 @@ from __future__ import annotations
 import os
 import resource
 import signal
-import sys
 import time
 from contextlib import contextmanager
 from pathlib import Path
@@ -22,8 +21,6 @@ from typing import Any, Callable, ContextManager, Iterator, List, Optional, Tupl
 import rospy
 from camera import Camera, Clock
 from geometry_msgs.msg import Twist
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "ros"))
 from listening import Heard, eventually, is_sending  # noqa: F401 (the last two for the tests)
 from scenes import View, hall
 
