@@ -12,7 +12,7 @@ from safety_control_cloud.trials import names
 from safety_control_cloud.trials.command import run
 from safety_control_cloud.trials.families import FAMILIES, scenario_of
 from safety_control_cloud.trials.options import options
-from safety_control_cloud.trials.replay import replay
+from safety_control_cloud.trials.telling import tell
 
 
 def test_every_family_can_be_asked_for_by_name():
@@ -55,7 +55,7 @@ def test_demo_and_bench_too_refuse_it_at_once(command):
 
 def test_a_drive_is_told_and_filmed(tmp_path):
     console = Console(record=True, width=130)
-    replay(scenario_of("wall_in_the_blind_zone", 1), ["tutorial"], tmp_path / "out.gif", console)
+    tell(scenario_of("wall_in_the_blind_zone", 1), ["tutorial"], tmp_path / "out.gif", console)
     told = console.export_text()
     assert "wall_in_the_blind_zone:1" in told and "end" in told
     assert (tmp_path / "out.gif").stat().st_size > 10_000

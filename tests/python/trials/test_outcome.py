@@ -9,7 +9,7 @@ import pytest
 
 from safety_control_cloud.simulation.base import Pose
 from safety_control_cloud.trials.deciders import Verdict
-from safety_control_cloud.trials.outcome import BESIDE_THE_VIEW, SIDE_ENTRY, Hit, Judge, Moment
+from safety_control_cloud.trials.outcome import BESIDE_THE_VIEW, SIDE_ENTRY, Hit, Judge, Truth
 from safety_control_cloud.trials.scenario import Scenario
 from safety_control_cloud.trials.summary import row, rows, to_json
 from safety_control_cloud.trials.table import table_of, verdict_of
@@ -19,8 +19,8 @@ WALL = Scenario("wall", 0, (wall("wall", 2.0),))
 CART = Thing("cart", Pose(), (0.2, 0.2, 1.0), path=Path(((0.0, 1.0, 2.0), (2.0, 1.0, 0.0))))
 
 
-def moment(time: float, speed: float = 0.2, zone: str = "Safe", free: bool = True, hits=(), clearance: float = 0.5) -> Moment:
-    return Moment(time, Pose(), speed, Verdict(zone, speed, "SEEN"), free, clearance, tuple(hits))
+def moment(time: float, speed: float = 0.2, zone: str = "Safe", free: bool = True, hits=(), clearance: float = 0.5) -> Truth:
+    return Truth(time, Pose(), speed, Verdict(zone, speed, "SEEN"), free, clearance, tuple(hits))
 
 
 def judged(moments, scenario: Scenario = WALL):

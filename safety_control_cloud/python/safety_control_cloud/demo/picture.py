@@ -10,11 +10,10 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from ..zone_colours import WRITTEN as COLOURS
+from ..zone_colours import PALE, WRITTEN as COLOURS
 from .record import Approach, Sample
 
 DANGER, WARNING = 0.5, 1.0  # [m] the node's defaults
-_PALE = {"Safe": "#e3f1e8", "Warning": "#fdf0d9", "Danger": "#f9dfdd"}
 _INK, _GREY, _BLUE = "#22303c", "#6b7c8c", "#1f5fa8"
 
 
@@ -57,7 +56,7 @@ def _draw_distance(axes: Axes, approaches: Sequence[Approach], origin: float) ->
     nearest = [_series(approach, origin, "nearest") for approach in approaches]
     top = max(1.5, 1.08 * max(np.nan_to_num(values).max() for _, values in nearest))
     for zone, low, high in (("Danger", 0, DANGER), ("Warning", DANGER, WARNING), ("Safe", WARNING, top)):
-        axes.axhspan(low, high, color=_PALE[zone], linewidth=0)
+        axes.axhspan(low, high, color=PALE[zone], linewidth=0)
         axes.text(0.01, low + 0.06, zone, transform=axes.get_yaxis_transform(), color=COLOURS[zone], weight="bold")
     for approach, (times, values) in zip(approaches, nearest):
         axes.plot(times, values, color=_INK, linewidth=2)

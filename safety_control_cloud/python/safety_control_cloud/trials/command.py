@@ -35,13 +35,13 @@ def _replay(given: argparse.Namespace, methods: Sequence[str]) -> int:
         guarded.replay(*given.replay, methods, _console())
         return 0
     from .families import scenario_of
-    from .replay import replay
+    from .telling import tell
 
     scenario = scenario_of(*given.replay)
     if given.strays is not None:
         scenario = replace(scenario, stray=given.strays)
     with recorded_in(given.rrd, given.view) as rrd:
-        replay(scenario, methods, given.video, _console(), rrd)
+        tell(scenario, methods, given.video, _console(), rrd)
     return 0
 
 

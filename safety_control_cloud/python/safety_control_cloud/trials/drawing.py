@@ -18,7 +18,7 @@ from matplotlib.patches import Circle, Rectangle
 
 from ..simulation.hull import BODY_RADIUS
 from ..zone_colours import DRAWN as ZONES
-from .outcome import Moment, Outcome
+from .outcome import Outcome, Truth
 from .scenario import XTION, Scenario
 from .stage import FREE_TO
 from .things import Surface
@@ -30,7 +30,7 @@ INK, QUIET = "#22303c", "#8795a1"
 SURFACES = {Surface.PLAIN: "#9c6b3e", Surface.GLASS: "#b6d8ee", Surface.BLACK: "#1c1c1e"}
 
 
-def plan_and_speed(path: Path, scenario: Scenario, method: str, moments: Sequence[Moment], outcome: Outcome) -> None:
+def plan_and_speed(path: Path, scenario: Scenario, method: str, moments: Sequence[Truth], outcome: Outcome) -> None:
     """A file in the format of the path's ending."""
     figure = Figure(figsize=(10, 4), constrained_layout=True)
     plan, speed = figure.subplots(1, 2)
@@ -46,7 +46,7 @@ def plan_and_speed(path: Path, scenario: Scenario, method: str, moments: Sequenc
     figure.savefig(path, dpi=100)
 
 
-def plan_picture(scenario: Scenario, moments: Sequence[Moment]) -> NDArray[np.uint8]:
+def plan_picture(scenario: Scenario, moments: Sequence[Truth]) -> NDArray[np.uint8]:
     """(height, width, 3) red, green, blue, as large as the camera's picture."""
     figure = Figure(figsize=(XTION.width / 80, XTION.height / 80), dpi=80, constrained_layout=True)
     canvas = FigureCanvasAgg(figure)
@@ -58,7 +58,7 @@ def plan_picture(scenario: Scenario, moments: Sequence[Moment]) -> NDArray[np.ui
     return np.asarray(canvas.buffer_rgba())[..., :3].copy()
 
 
-def _draw_plan(axes: Axes, scenario: Scenario, moments: Sequence[Moment]) -> None:
+def _draw_plan(axes: Axes, scenario: Scenario, moments: Sequence[Truth]) -> None:
     """World frame: x to the right, y up; things where they are at the last moment, the corridor in green."""
     now = moments[-1]
     for thing in scenario.things:
@@ -77,7 +77,7 @@ def _draw_plan(axes: Axes, scenario: Scenario, moments: Sequence[Moment]) -> Non
     axes.tick_params(labelsize=7)
 
 
-def _corridor(now: Moment) -> Rectangle:
+def _corridor(now: Truth) -> Rectangle:
     x, y, _ = XTION.mount
     cos, sin = np.cos(now.pose.yaw), np.sin(now.pose.yaw)
     left, right = x, y - 0.30

@@ -13,14 +13,14 @@ from ..simulation.closed_loop import TELEOP
 from ..simulation.mux import Mux
 from ..simulation.turtlebot import TICK, TurtleBot
 from .deciders import Decider, Verdict, decider_for
-from .outcome import Hit, Judge, Moment, Outcome
+from .outcome import Hit, Judge, Outcome, Truth
 from .scenario import XTION, Scenario, random_of
 from .stage import Stage
 
 SOMEBODY = "Safe reactive controller"  # the input, of higher priority than TELEOP, by which the robot is turned
 _TICKS_A_PICTURE = round(1 / (XTION.rate * TICK))
 
-Watch = "Callable[[Stage, Moment], None]"
+Watch = "Callable[[Stage, Truth], None]"
 
 
 def episode(
@@ -42,7 +42,7 @@ def episode(
     return judge.outcome()
 
 
-def moments(scenario: Scenario, stage: Stage, decider: Decider) -> Iterator[Moment]:
+def moments(scenario: Scenario, stage: Stage, decider: Decider) -> Iterator[Truth]:
     """One for every picture that the camera takes, with all that has happened since the last."""
     clouds, line, robot = Clouds(scenario, stage), Line(scenario, decider), stage.robot
     hits: list[Hit] = []
@@ -50,8 +50,8 @@ def moments(scenario: Scenario, stage: Stage, decider: Decider) -> Iterator[Mome
         now = tick * TICK
         if tick % _TICKS_A_PICTURE == 0:
             clouds.take(now)
-            yield Moment(now, robot.pose, robot.velocity.linear, line.verdict, stage.corridor_is_free(),
-                         stage.clearance(), tuple(hits))
+            yield Truth(now, robot.pose, robot.velocity.linear, line.verdict, stage.corridor_is_free(),
+                        stage.clearance(), tuple(hits))
             hits.clear()
         line.run(robot, clouds.arrived(now), now)
         stage.move_things(now + TICK)

@@ -30,7 +30,7 @@ class Hit:
 
 
 @dataclass(frozen=True)
-class Moment:
+class Truth:
     """The truth at one picture."""
 
     time: float  # [s]
@@ -70,7 +70,7 @@ class Judge:
 
     scenario: Scenario
     method: str
-    _seen: list[Moment] = field(default_factory=list)
+    _seen: list[Truth] = field(default_factory=list)
     _still_since: float = 0.0
     _wrong_since: float = inf
     _blocked_since: float = inf
@@ -78,7 +78,7 @@ class Judge:
     _collision: Hit | None = None
     _limit: str = ""
 
-    def see(self, moment: Moment) -> None:
+    def see(self, moment: Truth) -> None:
         caused = [hit for hit in moment.hits if hit.approach > CAUSED_ABOVE]
         if caused and self._collision is None:
             self._collision, self._limit = caused[0], self.scenario.limit or self._too_late(caused[0])

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from .families import scenario_of
 from .outcome import Outcome
-from .replay import draw_to
+from .telling import draw_to
 from .summary import is_collision, rows
 from .table import HEADINGS, cells, verdict_of
 

@@ -12,7 +12,7 @@ from ..view.moment import Depth, Moment, Pinhole
 from ..view.picture import depth_of
 from .deciders import Decider, decider_for
 from .episode import episode
-from .outcome import Moment as Truth
+from .outcome import Truth
 from .scenario import XTION, Scenario
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from ..scenario import Scenario, random_of
 from . import furniture, nothing_returned, people, places, polite, rude, sensor, side, walls
-from .drawing import Draft, Draw
+from .draft import Draft, Draw
 
 MODULES = (walls, furniture, side, people, nothing_returned, sensor, places)
 FAMILIES: dict[str, Callable[[Draw], Draft]] = {

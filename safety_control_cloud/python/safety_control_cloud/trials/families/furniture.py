@@ -6,7 +6,7 @@ from math import cos, radians, sin
 
 from ...simulation.base import Pose
 from ..things import Thing, post, wall
-from .drawing import Draft, Draw, background
+from .draft import Draft, Draw, background
 
 
 def _closed_cabinet(draw: Draw) -> Draft:

@@ -7,7 +7,7 @@ from math import radians
 
 from ...simulation.base import Pose
 from ..things import Surface, Thing, post, wall
-from .drawing import Draft, Draw, background
+from .draft import Draft, Draw, background
 
 NEVER_RETURNS = "it never returns anything to the camera"
 

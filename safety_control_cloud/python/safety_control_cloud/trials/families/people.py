@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import pi
 
 from ...simulation.hull import BODY_RADIUS
-from .drawing import LEG, Draft, Draw, at_most_driven, background, legs, stops_at
+from .draft import LEG, Draft, Draw, at_most_driven, background, legs, stops_at
 
 
 def _crosses(draw: Draw) -> Draft:

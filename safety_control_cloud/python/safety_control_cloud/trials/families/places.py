@@ -7,7 +7,7 @@ from math import pi
 from ...simulation.base import Pose
 from ..camera_faults import CameraFaults
 from ..things import Thing, post, wall
-from .drawing import CAMERA_Y, Draft, Draw
+from .draft import CAMERA_Y, Draft, Draw
 
 
 def _hall(draw: Draw) -> Draft:

@@ -6,7 +6,7 @@ from math import cos, radians, sin
 
 from ...simulation.base import Pose
 from ..things import Thing, post, wall
-from .drawing import Draft, Draw
+from .draft import Draft, Draw
 from .rude import DOORWAY, hull_of, settings_for
 
 SECONDS = 60.0  # enough for twice the way

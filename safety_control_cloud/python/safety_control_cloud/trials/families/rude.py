@@ -7,7 +7,7 @@ from math import cos, hypot, pi, sin
 from ...simulation.base import Pose
 from ...simulation.hull import BODY_RADIUS, Rectangle
 from ..things import Path, Thing, post, wall
-from .drawing import Draft, Draw
+from .draft import Draft, Draw
 
 SECONDS = 16.0
 DOORWAY = 0.75  # [m]

@@ -6,7 +6,7 @@ from math import inf, radians
 
 from ..camera_faults import CameraFaults, Spell
 from ..things import Thing, post, wall
-from .drawing import Draft, Draw, background
+from .draft import Draft, Draw, background
 
 
 def _dropouts(draw: Draw) -> Draft:

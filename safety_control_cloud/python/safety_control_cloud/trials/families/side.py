@@ -9,7 +9,7 @@ from ...simulation.hull import BODY_RADIUS
 from ..camera_faults import Spell
 from ..scenario import Turn
 from ..things import Path, Thing, post, wall
-from .drawing import Draft, Draw, at_most_driven, background
+from .draft import Draft, Draw, at_most_driven, background
 
 
 def _slides_into_the_blind_zone(draw: Draw) -> Draft:

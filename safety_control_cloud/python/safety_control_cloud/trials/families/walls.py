@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import cos, radians, sin
 
 from ..things import wall
-from .drawing import CAMERA_X, Draft, Draw
+from .draft import CAMERA_X, Draft, Draw
 
 
 def _wall(draw: Draw) -> Draft:

@@ -11,14 +11,14 @@ from rich.console import Console
 
 from .drawing import plan_and_speed, plan_picture
 from .episode import episode
-from .outcome import Moment, Outcome
+from .outcome import Outcome, Truth
 from .scenario import Scenario
 from .stage import Stage
 
 FRAME_TIME = 0.2  # [s] between two pictures of the film
 
 
-def replay(scenario: Scenario, methods: Sequence[str], video: Path | None, console: Console, rrd: Path | None = None) -> None:
+def tell(scenario: Scenario, methods: Sequence[str], video: Path | None, console: Console, rrd: Path | None = None) -> None:
     """Prints what happened, and films or records the last of the methods."""
     console.print(f"{scenario.name}  " + ", ".join(f"{name} {value:g}" for name, value in scenario.facts), highlight=False)
     for method in methods:
@@ -35,8 +35,8 @@ def replay(scenario: Scenario, methods: Sequence[str], video: Path | None, conso
         record(scenario, methods[-1], rrd)
 
 
-def moments_of(scenario: Scenario, method: str) -> tuple[list[Moment], Outcome]:
-    moments: list[Moment] = []
+def moments_of(scenario: Scenario, method: str) -> tuple[list[Truth], Outcome]:
+    moments: list[Truth] = []
     outcome = episode(scenario, method, lambda stage, moment: moments.append(moment))
     return moments, outcome
 
@@ -47,7 +47,7 @@ def draw_to(path: Path, scenario: Scenario, method: str) -> None:
     plan_and_speed(path, scenario, method, moments, outcome)
 
 
-def _told(moments: Sequence[Moment], outcome: Outcome) -> list[str]:
+def _told(moments: Sequence[Truth], outcome: Outcome) -> list[str]:
     """A line whenever what is said, or what is true, changes."""
     lines, before = [], None
     for moment in moments:
@@ -67,9 +67,9 @@ def _told(moments: Sequence[Moment], outcome: Outcome) -> list[str]:
 
 def _film(scenario: Scenario, method: str, path: Path) -> None:
     frames: list[Image.Image] = []
-    seen: list[Moment] = []
+    seen: list[Truth] = []
 
-    def watch(stage: Stage, moment: Moment) -> None:
+    def watch(stage: Stage, moment: Truth) -> None:
         seen.append(moment)
         if round(moment.time * 100) % round(FRAME_TIME * 100) == 0:
             plan = plan_picture(scenario, seen)
