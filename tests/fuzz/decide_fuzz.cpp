@@ -4,154 +4,17 @@
 // seen to go is not forgotten.
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include "../../safety_control_cloud/core/safety_control.hpp"
-#include "../../safety_control_cloud/core/speed/speed.hpp"
+#include "inputs.hpp"
+#include "promises.hpp"
 #include "scenario.hpp"
 #include "shown.hpp"
 
 namespace safety_control_cloud {
 namespace {
-
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr float largest = std::numeric_limits<float>::max();
-
-void require(bool holds, const char* sentence) {
-  if (holds) return;
-  std::fprintf(stderr, "not so: %s\n", sentence);
-  std::abort();
-}
-
-template <class Value, std::size_t n>
-Value one_of(const Value (&values)[n], std::uint8_t choice) {
-  return values[choice % n];
-}
-
-Settings settings_of(const Choice& choice, Method method) {
-  Settings settings;
-  settings.method = method;
-  settings.corridor.min_points = one_of<std::size_t>({1, 2, 5}, choice.min_points);
-  settings.corridor.range_min = one_of<float>({0.0f, 0.2f}, choice.range_min);
-  settings.release.clouds = one_of<std::size_t>({1, 2, 3}, choice.release_clouds);
-  settings.release.time = one_of<double>({0.0, 0.2}, choice.release_time);
-  settings.stamp_tolerance = one_of<double>({1.0, 0.0}, choice.stamp_tolerance);
-  settings.min_valid_ratio = one_of<double>({0.1, 0.0, 1.0}, choice.min_valid_ratio);
-  settings.near_loss.distance = one_of<double>({0.75, 0.0, NearLossLimits::farthest}, choice.near_loss_distance);
-  settings.near_loss.timeout = one_of<double>({0.0, 0.3}, choice.near_loss_timeout);
-  settings.frozen_clouds = one_of<std::size_t>({0, 2, 4}, choice.frozen_clouds);
-  settings.target_frame = one_of<const char*>({"", "base"}, choice.target_frame);
-  return settings;
-}
-
-/// Mostly one that belongs to these settings.
-Placing placing_of(std::uint8_t choice, const Settings& settings) {
-  Placement tilted, overflowing;
-  tilted.rows = {{{1, 0, 0, 0.05f}, {0, 0.8f, -0.6f, 0}, {0, 0.6f, 0.8f, -0.09f}}};
-  overflowing.rows = {{{0.7f, 0.7f, 0, 0}, {-0.7f, 0.7f, 0, 0}, {0, 0, 1, largest}}};
-  if (choice % 8 == 7) return tilted;
-  if (settings.target_frame.empty()) return one_of<Placing>({OpticalFrame{}, NoTransform{"nobody knows"}}, choice);
-  return one_of<Placing>({tilted, OpticalFrame{}, NoTransform{"nobody knows"}, overflowing}, choice);
-}
-
-float depth_of(std::uint8_t pixel) {
-  constexpr float special[] = {nan, 0.0f, inf, -inf, -1.0f, largest, std::numeric_limits<float>::denorm_min(), 1e-3f};
-  return pixel < std::size(special) ? special[pixel] : static_cast<float>(pixel) * 0.02f;
-}
-
-Depths depths_of(const Step& step) {
-  Depths picture{step.width % 64u, step.height % 64u, {}};
-  for (std::size_t i = 0; i < picture.width * picture.height; ++i) {
-    picture.z.push_back(depth_of(i < step.bytes.size() ? step.bytes[i] : 0));
-  }
-  return picture;
-}
-
-/// By a camera 60 degrees wide.
-DepthView image_of(const Depths& picture) {
-  DepthView image;
-  image.bytes = reinterpret_cast<const std::uint8_t*>(picture.z.data());
-  image.width = picture.width, image.height = picture.height;
-  image.row_step = picture.width * sizeof(float);
-  const double across = static_cast<double>(picture.width) / 2.0, down = static_cast<double>(picture.height) / 2.0;
-  image.camera = {std::max(across, 1.0) / 0.577, std::max(down, 1.0) / 0.433, across, down};
-  return image;
-}
-
-/// The points of such an image. In a cloud, -Inf is a point too close; an image here does not say so.
-std::vector<float> points_of(const Depths& picture) {
-  const Rays rays(image_of(picture));
-  std::vector<float> points;
-  for (std::size_t i = 0; i < picture.z.size(); ++i) {
-    const float z = picture.z[i];
-    const auto u = static_cast<float>(i % picture.width), v = static_cast<float>(i / picture.width);
-    const float x = (u - rays.cx) * z * rays.x_scale, y = (v - rays.cy) * z * rays.y_scale;
-    if (z == inf)
-      points.insert(points.end(), {nan, nan, nan});
-    else
-      points.insert(points.end(), {x, y, z * rays.z_scale});
-  }
-  return points;
-}
-
-CloudView cloud_of(const std::vector<float>& points, const Depths& picture) {
-  Layout layout;
-  layout.width = static_cast<std::uint32_t>(picture.width), layout.height = static_cast<std::uint32_t>(picture.height);
-  layout.fields = {{"x", 0, Field::FLOAT32, 1}, {"y", 4, Field::FLOAT32, 1}, {"z", 8, Field::FLOAT32, 1}};
-  layout.point_step = 12;
-  layout.row_step = layout.width * 12;
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(points.data());
-  return std::get<CloudView>(view_of(layout, bytes, points.size() * sizeof(float)));
-}
-
-bool is_minus_inf(float z) { return z == -inf; }
-
-bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
-
-void require_same(const std::optional<Obstacle>& a, const std::optional<Obstacle>& b) {
-  require(a.has_value() == b.has_value(), "one method sees an obstacle and the other none");
-  if (!a) return;
-  const Point &p = a->point, &q = b->point;
-  require(same(p.x, q.x) && same(p.y, q.y) && same(p.z, q.z), "both methods find the same nearest point");
-}
-
-void require_same(const Decision& a, const Decision& b) {
-  require(a.cause == b.cause && a.reason == b.reason, "both methods give the same cause");
-  require(a.zone == b.zone && a.speed == b.speed, "both methods give the same zone and speed");
-  require_same(a.nearest, b.nearest);
-  require_same(a.sight.nearest, b.sight.nearest);
-  require(a.sight.returns == b.sight.returns && a.sight.total == b.sight.total, "both methods count the same returns");
-  require(a.sight.inside == b.sight.inside, "both methods count the same points inside");
-  require(a.sight.too_close == b.sight.too_close, "both methods count the same points that are too close");
-  require(a.sight.nearest_in_rows == b.sight.nearest_in_rows, "both methods see the same nearest in each row");
-}
-
-bool has_looked(const Decision& decision) {
-  const auto causes_of_sight = {Cause::Seen, Cause::NearLoss, Cause::LowObstacle};
-  return std::find(causes_of_sight.begin(), causes_of_sight.end(), decision.cause) != causes_of_sight.end();
-}
-
-void require_safe(const Decision& decision, const Settings& settings) {
-  require(decision.speed == speed_for(decision.zone, settings.speeds), "the speed is the zone's");
-  require(has_looked(decision) || (decision.speed == 0.0 && decision.zone == Zone::Danger),
-          "in doubt the robot stands");
-  require(!decision.reason.empty(), "every decision has a reason");
-  if (!has_looked(decision) || !decision.nearest) return;
-  require(decision.zone <= zone_at(decision.nearest->distance(), settings.limits),
-          "no zone is better than its obstacle");
-  if (decision.sight.crop) require(decision.sight.crop->size() == decision.sight.inside, "the crop is what is inside");
-}
-
-/// Whether something near that is not seen any more keeps the robot where it is under these settings.
-bool keeps(const Settings& settings) {
-  return settings.near_loss.distance >= 0.75 && settings.near_loss.timeout == 0.0 && settings.target_frame.empty();
-}
 
 /// One node for each method, and one that is given depth images where the others are given clouds, in the same world.
 class World {
