@@ -25,16 +25,15 @@ build() {
   export PATH=/usr/bin:$PATH
   if [[ $checks == no ]]; then
     if [[ -e build/checks.done ]]; then configure build
-    else configure build -DCMAKE_BUILD_TYPE=Release -DCATKIN_ENABLE_TESTING=OFF -DSAFETY_CONTROL_PRECOMPILE=ON; fi
+    else configure build -DCMAKE_BUILD_TYPE=Release -DCATKIN_ENABLE_TESTING=OFF; fi
     compile build all
   else
-    configure build -DCMAKE_BUILD_TYPE=Release -DCATKIN_ENABLE_TESTING=ON -DSAFETY_CONTROL_WERROR=ON \
-      -DSAFETY_CONTROL_PRECOMPILE=ON
+    configure build -DCMAKE_BUILD_TYPE=Release -DCATKIN_ENABLE_TESTING=ON -DSAFETY_CONTROL_WERROR=ON
     compile build all
     compile build tests
     compile build safety_control_benchmarks
     configure build/sanitized -DCMAKE_BUILD_TYPE=None -DCATKIN_ENABLE_TESTING=ON -DCMAKE_CXX_FLAGS=-O1\ -g1 \
-      -DSAFETY_CONTROL_SANITIZE=address,undefined -DSAFETY_CONTROL_PRECOMPILE=ON
+      -DSAFETY_CONTROL_SANITIZE=address,undefined
     compile build/sanitized safety_control_core_tests
     cp -p "$started" build/checks.done
   fi
