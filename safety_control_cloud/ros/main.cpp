@@ -41,7 +41,7 @@ void answer_requests_to_end() {
 void run() {
   using namespace safety_control_cloud;
   const auto node = node_of(ros::NodeHandle(), ros::NodeHandle("~"), Delivery::InPlace);
-  while (!asked_to_end && ros::ok()) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
+  while (!asked_to_end && ros::ok()) ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
   if (another_has_started) {
     ROS_FATAL("another node has started as %s, and so this one ends: do two launch files start it? End one of them.",
               ros::this_node::getName().c_str());

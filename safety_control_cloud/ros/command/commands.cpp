@@ -3,6 +3,7 @@
 
 #include <ros/this_node.h>
 
+#include <algorithm>
 #include <boost/make_shared.hpp>
 #include <chrono>
 #include <utility>
@@ -10,7 +11,7 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr std::chrono::milliseconds tick{20};
+constexpr double period = 0.1;      ///< [s] between two looks at who is connected; not longer than a node may be late
 constexpr double repetition = 0.1;  ///< [s] between two zeros where the node says nothing
 
 /// Whose message this thread is publishing now. In one process all that is published bears the same name; but a pointer
@@ -96,14 +97,18 @@ void Commands::on_message(const ros::MessageEvent<const Twist>& event) {
   woken_.notify_all();
 }
 
+/// Sleeps until something is due: each time that it wakes costs as much as a look at some thousand points.
 void Commands::watch() {
+  double until = 0.0;
   std::unique_lock<std::mutex> lock(waking_);
   while (!leave_) {
-    if (!answer_) woken_.wait_for(lock, tick);
+    const std::chrono::duration<double> left(until - now());
+    if (!answer_ && left.count() > 0.0) woken_.wait_for(lock, left);
     const bool answer = std::exchange(answer_, false);
     lock.unlock();
-    answer ? stand() : stand_if_overdue();
+    if (answer) stand();
     look_who_is_connected();
+    until = std::min(stand_if_overdue(), now() + period);
     lock.lock();
   }
 }
@@ -117,11 +122,14 @@ void Commands::look_who_is_connected() {
   }
 }
 
-void Commands::stand_if_overdue() {
+/// When zero is due next. What the node says meanwhile puts it off, or sets it no sooner than a period from then.
+double Commands::stand_if_overdue() {
   const std::lock_guard<std::mutex> lock(saying_);
-  if (now() < due_ || ended_) return;
-  due_ = now() + repetition;
-  say(Twist());
+  if (now() >= due_ && !ended_) {
+    due_ = now() + repetition;
+    say(Twist());
+  }
+  return ended_ ? now() + repetition : due_;
 }
 
 void Commands::stand() {

@@ -47,7 +47,7 @@ class Commands {
   void on_message(const ros::MessageEvent<const Twist>& event);
   void watch();
   void look_who_is_connected();
-  void stand_if_overdue();
+  double stand_if_overdue();
   void stand();
   void say(const Twist& twist);
 
