@@ -67,13 +67,10 @@ Evidence evidence_of(const Spot& spot, const Pixels& picture) {
   const float then = spot.point.z, noise = noise_at(then);
   Around around;
   int there = 0, before = 0;
-  for (std::ptrdiff_t i = -1; i <= 1; ++i) {
-    for (std::ptrdiff_t j = -1; j <= 1; ++j) {
-      const Point point = picture.near(spot.row + i, spot.column + j);
-      if (!returned(point)) continue;
-      if (point.z > then + noise) around.behind[around.count++] = point.z;
-      (point.z < then - noise ? before : there) += point.z <= then + noise;
-    }
+  for (const float z : picture.around(spot.row, spot.column)) {
+    if (std::isnan(z)) continue;
+    if (z > then + noise) around.behind[around.count++] = z;
+    (z < then - noise ? before : there) += z <= then + noise;
   }
   const int enough = (spot.company + 1) / 2;
   if (there + before >= enough) return there > 0 ? Evidence::There : Evidence::Hidden;

@@ -49,7 +49,9 @@ void LowObstacles::survey(const NearGround& ground) {
   floor_ = stretched(std::move(floor_), ground.columns());
   lowest_.assign(ground.columns(), none);
   above_.assign(ground.columns(), 0);
-  for (std::size_t row = 0; row < ground.rows(); ++row) look_at_row(ground.row(row));
+  for (std::size_t row = 0; row < ground.rows(); ++row) {
+    if (ground.shows_ground(row)) look_at_row(ground.row(row));  // all others change nothing
+  }
   for (std::size_t i = 0; i < ground.columns(); ++i) {
     const bool step = above_[i] >= 2 && !ground.is_near(i);  // one pixel alone may be noise
     if (step) floor_[i] = std::max(floor_[i], lowest_[i]);   // nearer, the lowest pixel shows more and more of the step

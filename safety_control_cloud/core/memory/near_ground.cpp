@@ -48,7 +48,8 @@ bool NearGround::read_row(const Pixels& picture, const Outlook& outlook, float d
   } else {
     for (std::size_t i = 0; i < columns_; ++i) codes[i] = read[i / probe];
   }
-  return highest >= 0;
+  shows_[number] = highest >= 0;
+  return shows_[number];
 }
 
 void NearGround::look_at(const Pixels& picture, const Outlook& outlook, float distance) {
@@ -60,6 +61,7 @@ void NearGround::look_at(const Pixels& picture, const Outlook& outlook, float di
   near_.assign(columns_, false);
   const std::size_t all = (height_ + row_step_ - 1) / row_step_;
   codes_.resize(all * columns_);
+  shows_.assign(all, false);
   bool begun = false;
   std::size_t gap = 0;
   for (rows_ = 0; rows_ < all && gap < longest_gap; ++rows_) {

@@ -23,7 +23,7 @@ class NearGround {
   // From 0 on: near ground, as many [mm] below the camera.
 
   /// So many rows, and columns, of a picture that has more.
-  static constexpr std::size_t most_rows = 240, most_columns = 160;
+  static constexpr std::size_t most_rows = 120, most_columns = 160;
 
   /// Nearer than `distance` [m] ahead of the camera is near.
   void look_at(const Pixels& picture, const Outlook& outlook, float distance);
@@ -32,6 +32,8 @@ class NearGround {
   std::size_t columns() const { return columns_; }
   Code* row(std::size_t i) { return codes_.data() + i * columns_; }
   const Code* row(std::size_t i) const { return codes_.data() + i * columns_; }
+  /// Whether any of a row's columns may show near ground.
+  bool shows_ground(std::size_t i) const { return shows_[i]; }
   std::size_t picture_row(std::size_t i) const { return height_ - 1 - i * row_step_; }
   std::size_t picture_column(std::size_t i) const { return i * column_step_; }
   std::size_t column_at(std::size_t picture_column) const {
@@ -55,6 +57,7 @@ class NearGround {
   PixelRow read_;
   std::vector<Code> codes_read_;
   std::vector<Code> codes_;
+  std::vector<char> shows_;  ///< of each row
   std::vector<char> near_;
   std::size_t rows_ = 0, columns_ = 0, height_ = 0, row_step_ = 1, column_step_ = 1;
   float distance_ = 0.0f;

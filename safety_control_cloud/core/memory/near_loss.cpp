@@ -2,6 +2,7 @@
 #include "near_loss.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "../look/look.hpp"
@@ -133,13 +134,15 @@ void NearLoss::remember(const NearSearch& search) {
 }
 
 void NearLoss::write_down(bool lost, double now) {
-  std::vector<Remembered> near = things_.things();
-  const auto is_far = [this](const Remembered& thing) {
-    return thing.lost.empty() && thing.seen.nearest >= near_distance();
+  const auto is_near = [this](const Remembered& thing) {
+    return !thing.lost.empty() || thing.seen.nearest < near_distance();
   };
-  near.erase(std::remove_if(near.begin(), near.end(), is_far), near.end());
-  const bool changed = lost != written_lost_ || near.empty() != text_.empty();
+  const auto& things = things_.things();
+  const bool none = std::none_of(things.begin(), things.end(), is_near);
+  const bool changed = lost != written_lost_ || none != text_.empty();
   if (!changed && now - written_at_ < write_period) return;
+  std::vector<Remembered> near;
+  std::copy_if(things.begin(), things.end(), std::back_inserter(near), is_near);
   text_ = to_text({frame_.width, frame_.height, things_.blind_range(), std::move(near), low_.floor()});
   written_at_ = now;
   written_lost_ = lost;

@@ -54,33 +54,62 @@ class Lines {
 
   /// Of a slot's pixels the nearest; the nearest of all.
   float look(std::size_t row, std::size_t step) {
-    const auto line = static_cast<std::uint16_t>(found_.rows.size());
-    float nearest = std::numeric_limits<float>::infinity();
     const std::size_t begin = found_.pixels.size();
     search_.picture.read(row, step, search_.outlook, places_);
-    const Corridor& corridor = search_.outlook.corridor;
-    const auto& [x, y, z] = places_;
-    for (std::size_t i = 0; i < z.size(); ++i) {
-      const float ahead = z[i] - camera_.z;
-      const bool inside = (x[i] >= corridor.x_min) & (x[i] <= corridor.x_max) & (y[i] >= corridor.y_min) &
-                          (y[i] <= corridor.y_max) & (z[i] > 0.0f);
-      if (!(is_near(ahead) & inside)) continue;
-      nearest = std::min(nearest, ahead);
-      const std::size_t column = i * step;
-      const auto slot = static_cast<std::uint16_t>(column / found_.column_step);
-      const bool first = found_.pixels.size() == begin || found_.pixels.back().slot != slot;
-      if (!first && !(ahead < found_.pixels.back().ahead)) continue;
+    float nearest = std::numeric_limits<float>::infinity();
+    for (std::size_t i = 0, hits = list_hits(); i < hits; ++i) {
+      const NearPixel pixel = pixel_at(row, step, hits_[i]);
+      nearest = std::min(nearest, pixel.ahead);
+      const bool first =
+          step > 1 || found_.pixels.size() == begin || found_.pixels.back().slot != pixel.slot;  // of its slot
+      if (!first && !(pixel.ahead < found_.pixels.back().ahead)) continue;
       if (!first) found_.pixels.pop_back();
-      const Point point = search_.outlook.placement ? search_.picture.at(row, column) : Point(x[i], y[i], z[i]);
-      found_.pixels.push_back(
-          {static_cast<std::uint16_t>(row), static_cast<std::uint16_t>(column), line, slot, point, ahead});
+      found_.pixels.push_back(pixel);
     }
     return nearest;
   }
 
+  NearPixel pixel_at(std::size_t row, std::size_t step, std::size_t place) const {
+    const std::size_t column = place * step;
+    const Point point = search_.outlook.placement ? search_.picture.at(row, column)
+                                                  : Point(places_.x[place], places_.y[place], places_.z[place]);
+    NearPixel pixel;
+    pixel.row = static_cast<std::uint16_t>(row);
+    pixel.column = static_cast<std::uint16_t>(column);
+    pixel.line = static_cast<std::uint16_t>(found_.rows.size());
+    pixel.slot = static_cast<std::uint16_t>(step > 1 ? place : column / found_.column_step);
+    pixel.point = point;
+    pixel.ahead = places_.z[place] - camera_.z;
+    return pixel;
+  }
+
+  /// Which of the places are near, in the corridor: as many. No branch, since which pixels return is as good as random.
+  std::size_t list_hits() {
+    const std::size_t size = places_.z.size();
+    near_.resize(size), hits_.resize(size);
+    const float *const x = places_.x.data(), *const y = places_.y.data(), *const z = places_.z.data();
+    int* const near = near_.data();
+    const Corridor corridor = search_.outlook.corridor;
+    const float from = camera_.z, farthest = search_.distance;
+    for (std::size_t i = 0; i < size; ++i) {
+      const float ahead = z[i] - from;
+      near[i] = (ahead > 0.0f) & (ahead < farthest) & (z[i] > 0.0f) & (x[i] >= corridor.x_min) &
+                (x[i] <= corridor.x_max) & (y[i] >= corridor.y_min) & (y[i] <= corridor.y_max);
+    }
+    std::uint32_t* const hits = hits_.data();
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      hits[count] = static_cast<std::uint32_t>(i);
+      count += static_cast<std::size_t>(near[i]);
+    }
+    return count;
+  }
+
   const NearSearch& search_;
   const Point camera_;
-  PixelRow places_;  ///< of one row
+  PixelRow places_;                  ///< of one row
+  std::vector<int> near_;            ///< of each, whether it is
+  std::vector<std::uint32_t> hits_;  ///< those that are
   NearPixels found_;
 };
 

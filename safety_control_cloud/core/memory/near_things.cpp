@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <utility>
 
 #include "near_pixels.hpp"
 
@@ -21,139 +24,174 @@ constexpr std::size_t few_pixels = 9;   // three by three
 constexpr float border = 0.03f;         // [m] within the corridor's sides
 constexpr double sparse_weight = 0.25;  // [m2] as of a pixel half a metre away
 
-/// Which of some pixels are connected.
+using Index = std::uint32_t;  ///< of a pixel among those found
+
+/// Which of some numbers are connected.
 class Union {
  public:
-  explicit Union(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t root(std::size_t i) {
+  Index add() {
+    parent_.push_back(static_cast<Index>(parent_.size()));
+    return parent_.back();
+  }
+  Index root(Index i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  void join(std::size_t a, std::size_t b) { parent_[std::max(root(a), root(b))] = std::min(root(a), root(b)); }
+  void join(Index a, Index b) {
+    const Index one = root(a), other = root(b);
+    parent_[std::max(one, other)] = std::min(one, other);
+  }
+  std::size_t size() const { return parent_.size(); }
 
  private:
-  std::vector<std::size_t> parent_;
+  std::vector<Index> parent_;
 };
+
+/// Some of the pixels, in their order.
+using Members = std::vector<Index>;
 
 class Finding {
  public:
-  explicit Finding(const NearSearch& search)
-      : search_(search), found_(near_pixels(search)), connected_(found_.pixels.size()) {}
+  explicit Finding(const NearSearch& search) : search_(search), found_(near_pixels(search)) {}
 
   std::vector<Thing> things() {
     connect();
-    std::vector<std::size_t> number(found_.pixels.size(), none);
-    std::vector<std::vector<std::size_t>> members;
-    for (std::size_t i = 0; i < number.size(); ++i) {
-      const std::size_t root = connected_.root(i);
-      if (number[root] == none) {
-        number[root] = members.size();
-        members.emplace_back();
-      }
-      members[number[root]].push_back(i);
-    }
     std::vector<Thing> things;
-    for (const auto& some : members) {
-      if (!is_enough(some)) continue;
-      things.push_back(thing_of(some));
+    for (const Members& some : connected()) {
+      if (is_enough(some)) things.push_back(thing_of(some));
     }
     return things;
   }
 
  private:
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  static constexpr Index none = std::numeric_limits<Index>::max();
+
+  /// Sides on which a pixel touches another one of its thing.
+  enum Side : std::uint8_t { Left = 1, Right = 2, Above = 4, Below = 8, All = 15 };
+
+  /// One of the rows that were looked at: of each slot, and of one beside them, the pixel.
+  struct Line {
+    std::size_t row = 0;
+    Members at = {};
+  };
 
   /// With what lies to the left of each pixel, and above it.
   void connect() {
-    const auto& pixels = found_.pixels;
-    left_.assign(pixels.size(), false), right_ = above_ = below_ = left_;
-    std::array<std::vector<std::size_t>, gap + 1> lines;  // the latest
-    lines.fill(std::vector<std::size_t>(found_.slots, none));
-    std::size_t line = 0;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      if (i == 0 || pixels[i].line != line) {
-        line = pixels[i].line;
-        std::fill(lines[line % lines.size()].begin(), lines[line % lines.size()].end(), none);
-      }
-      for (std::size_t j = i; j-- > 0 && pixels[j].line == line && pixels[j].slot + gap >= pixels[i].slot;) {
-        if (!try_join(i, j)) continue;
-        left_[i] = right_[j] = true;
-        break;
-      }
-      lines[line % lines.size()][pixels[i].slot] = i;
-      for (std::size_t up = 1; up <= std::min(gap, line); ++up) {
-        if (connect_up(i, lines[(line - up) % lines.size()], line - up)) break;
+    const std::size_t size = found_.pixels.size();
+    touched_.assign(size, 0);
+    run_.resize(size);
+    ahead_.resize(size);
+    for (Index i = 0; i < size; ++i) ahead_[i] = found_.pixels[i].ahead;
+    std::array<Line, gap + 1> lines;  // the latest first
+    for (Line& line : lines) line.at.assign(found_.slots + 2, none);
+    Index end = 0;
+    for (Index begin = 0; begin < size; begin = end) {
+      std::rotate(lines.begin(), lines.end() - 1, lines.end());
+      while (end < size && found_.pixels[end].line == found_.pixels[begin].line) ++end;
+      lines[0].row = found_.rows[found_.pixels[begin].line];
+      std::fill(lines[0].at.begin(), lines[0].at.end(), none);
+      for (Index i = begin; i < end; ++i) connect_left(i, begin);
+      for (Index i = begin; i < end; ++i) {
+        lines[0].at[found_.pixels[i].slot + std::size_t{1}] = i;
+        for (std::size_t up = 1; up <= gap && !connect_up(i, lines[0], lines[up]); ++up) {
+        }
       }
     }
   }
 
-  /// Whether something in this line is the same thing.
-  bool connect_up(std::size_t i, const std::vector<std::size_t>& line, std::size_t number) {
-    const auto& pixel = found_.pixels[i];
-    if (found_.rows[pixel.line] - found_.rows[number] > gap * found_.row_step) return false;
-    const std::size_t j = line[pixel.slot];
-    if (j != none && try_join(i, j)) {
-      above_[i] = below_[j] = true;
+  /// What is connected along a line, from `begin` on, is one run, so that runs are joined and not every pixel.
+  void connect_left(Index i, Index begin) {
+    const auto& pixels = found_.pixels;
+    for (Index j = i; j-- > begin && pixels[j].slot + gap >= pixels[i].slot;) {
+      if (!go_on(i, j)) continue;
+      touched_[i] |= Left, touched_[j] |= Right;
+      run_[i] = run_[j];
+      return;
+    }
+    run_[i] = runs_.add();
+  }
+
+  /// Whether something in a line above that of a pixel is the same thing.
+  bool connect_up(Index i, const Line& own, const Line& line) {
+    if (own.row - line.row > gap * found_.row_step) return false;
+    const Index* const over = line.at.data() + found_.pixels[i].slot + 1;
+    if (try_join(i, over[0])) {
+      touched_[i] |= Above, touched_[over[0]] |= Below;
       return true;
     }
-    const auto joins = [&](std::size_t slot) { return line[slot] != none && try_join(i, line[slot]); };
-    const bool left = pixel.slot > 0 && joins(pixel.slot - std::size_t{1});
-    const bool right = pixel.slot + std::size_t{1} < line.size() && joins(pixel.slot + std::size_t{1});
+    const bool left = try_join(i, over[-1]), right = try_join(i, over[1]);
     return left || right;
   }
 
-  bool try_join(std::size_t i, std::size_t j) {
-    if (std::abs(found_.pixels[i].ahead - found_.pixels[j].ahead) > jump) return false;
-    connected_.join(i, j);
+  bool go_on(Index i, Index j) const { return std::abs(ahead_[i] - ahead_[j]) <= jump; }
+
+  bool try_join(Index i, Index j) {
+    if (j == none || !go_on(i, j)) return false;
+    const std::pair<Index, Index> both{run_[i], run_[j]};
+    if (both != joined_) runs_.join(both.first, both.second);
+    joined_ = both;
     return true;
   }
 
+  /// Those that are one, by the first of each.
+  std::vector<Members> connected() {
+    std::vector<Index> thing(runs_.size());  // of each run; the first run of a thing is the first to be met
+    Index things = 0;
+    for (Index run = 0; run < thing.size(); ++run) {
+      const Index root = runs_.root(run);
+      thing[run] = root == run ? things++ : thing[root];
+    }
+    std::vector<Index> size(things, 0);
+    for (const Index run : run_) ++size[thing[run]];
+    std::vector<Members> all(things);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].reserve(size[i]);
+    for (Index i = 0; i < run_.size(); ++i) all[thing[run_[i]]].push_back(i);
+    return all;
+  }
+
   /// A few pixels are told from noise by those around them, of which the search has left some out.
-  bool is_enough(const std::vector<std::size_t>& some) const {
+  bool is_enough(const Members& some) const {
     std::size_t pixels = some.size();
     if (pixels >= search_.least_pixels) return true;
-    for (const std::size_t i : some) pixels = std::max<std::size_t>(pixels, around(found_.pixels[i], jump));
+    for (const Index i : some) pixels = std::max<std::size_t>(pixels, around(found_.pixels[i], jump));
     return pixels >= search_.least_pixels;
   }
 
   /// How many of the 3 x 3 pixels around one return, at a range that differs by less than this [m].
   std::uint8_t around(const NearPixel& pixel, float difference) const {
     std::uint8_t count = 0;
-    for (std::ptrdiff_t i = -1; i <= 1; ++i) {
-      for (std::ptrdiff_t j = -1; j <= 1; ++j) {
-        const Point point = search_.picture.near(pixel.row + i, pixel.column + j);
-        count = static_cast<std::uint8_t>(count + (std::abs(point.z - pixel.point.z) <= difference));
-      }
+    for (const float z : search_.picture.around(pixel.row, pixel.column)) {
+      count = static_cast<std::uint8_t>(count + (std::abs(z - pixel.point.z) <= difference));
     }
     return count;
   }
 
-  bool is_inner(std::size_t i) const { return left_[i] && right_[i] && above_[i] && below_[i]; }
-
-  Thing thing_of(const std::vector<std::size_t>& some) const {
+  Thing thing_of(const Members& some) const {
     Thing thing;
     thing.nearest = std::numeric_limits<float>::infinity();
-    std::vector<std::size_t> lowest(found_.slots, none);
+    Members lowest(found_.slots, none);
     const std::size_t pixels_each = found_.row_step * found_.column_step;
     thing.pixels = some.size() * pixels_each;
     thing.is_slight = search_.least_pixels > 1 && thing.pixels < few_pixels;
-    for (const std::size_t i : some) {
+    for (const Index i : some) {
       const NearPixel& pixel = found_.pixels[i];
       thing.nearest = std::min(thing.nearest, pixel.ahead);
       thing.size += search_.sparse ? sparse_weight : double{pixel.ahead} * pixel.ahead;
       thing.at_border = thing.at_border || is_at_border(pixel);
       lowest[pixel.slot] = i;  // they come row by row
     }
-    for (const std::size_t i : lowest) {
+    for (const Index i : lowest) {
       if (i != none) thing.feet.push_back({found_.pixels[i].row, found_.pixels[i].column, found_.pixels[i].ahead});
     }
     const auto width = static_cast<double>(search_.picture.width());
     thing.size *=
         static_cast<double>(pixels_each) / (width * width);  // but for the camera's angle, which is always the same
-    std::vector<std::size_t> chosen;
-    std::copy_if(some.begin(), some.end(), std::back_inserter(chosen), [this](std::size_t i) { return is_inner(i); });
+    Members chosen;
+    chosen.reserve(some.size());
+    std::copy_if(some.begin(), some.end(), std::back_inserter(chosen), [this](Index i) { return touched_[i] == All; });
     if (chosen.empty()) chosen = some;
     const std::size_t step = 1 + chosen.size() / most_spots;
+    thing.spots.reserve(chosen.size() / step + 1);
     for (std::size_t i = step / 2; i < chosen.size(); i += step)
       thing.spots.push_back(spot_at(found_.pixels[chosen[i]]));
     for (Spot& spot : thing.spots)
@@ -181,8 +219,11 @@ class Finding {
 
   const NearSearch& search_;
   const NearPixels found_;
-  Union connected_;
-  std::vector<char> left_, right_, above_, below_;
+  std::vector<float> ahead_;  ///< of each pixel
+  Union runs_;
+  std::vector<Index> run_;                         ///< of each pixel
+  std::pair<Index, Index> joined_ = {none, none};  ///< runs, latest
+  std::vector<std::uint8_t> touched_;              ///< on which sides
 };
 
 }  // namespace

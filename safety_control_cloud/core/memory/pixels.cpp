@@ -16,12 +16,27 @@ Point Pixels::read(const Pixels& picture, std::size_t row, std::size_t column) {
   return point;
 }
 
+template <class OneReader>
+std::array<float, 9> Pixels::read_around(const Pixels& picture, std::size_t row, std::size_t column) {
+  std::array<float, 9> z;
+  z.fill(nothing.z);
+  const OneReader& reader = *std::get_if<OneReader>(&picture.reader_);
+  for (std::size_t i = row > 0 ? 0 : 1; i < 3 && row + i <= picture.height_; ++i) {
+    for (std::size_t j = column > 0 ? 0 : 1; j < 3 && column + j <= picture.width_; ++j) {
+      const auto take = [&](float px, float py, float pz) { z[3 * i + j] = picture.point_of(px, py, pz).z; };
+      reader(row + i - 1, column + j - 1, take);
+    }
+  }
+  return z;
+}
+
 Pixels::Pixels(const View& view, float range_min)
     : width_(width_of(view)), height_(height_of(view)), range_min_(range_min) {
   with_reader(view, [this](const auto& reader) {
     using OneReader = std::decay_t<decltype(reader)>;
     reader_.emplace<OneReader>(reader);
     read_ = &read<OneReader>;
+    around_ = &read_around<OneReader>;
   });
 }
 

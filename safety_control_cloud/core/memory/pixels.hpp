@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <variant>
 #include <vector>
@@ -31,6 +32,8 @@ class Pixels {
   void read(std::size_t row, std::size_t step, const Outlook& outlook, PixelRow& into) const;
   /// at() of a place that may lie beside the picture.
   Point near(std::ptrdiff_t row, std::ptrdiff_t column) const;
+  /// z of the 3 x 3 pixels around a place in the picture, row by row.
+  std::array<float, 9> around(std::size_t row, std::size_t column) const { return around_(*this, row, column); }
 
  private:
   using Reader = std::variant<CloudReader<float, false>, CloudReader<float, true>, CloudReader<double, false>,
@@ -44,9 +47,12 @@ class Pixels {
   }
   template <class OneReader>
   static Point read(const Pixels& picture, std::size_t row, std::size_t column);
+  template <class OneReader>
+  static std::array<float, 9> read_around(const Pixels& picture, std::size_t row, std::size_t column);
 
   Reader reader_ = CloudReader<float, false>{};
   Point (*read_)(const Pixels&, std::size_t, std::size_t) = nullptr;
+  std::array<float, 9> (*around_)(const Pixels&, std::size_t, std::size_t) = nullptr;
   std::size_t width_, height_;
   float range_min_;
 };

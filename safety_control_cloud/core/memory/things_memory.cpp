@@ -61,6 +61,15 @@ bool are_same(const Axis& a, const Axis& b) {
 /// A hole where the thing left none: something else may stand there that went out of sight together with it.
 bool is_dense_hole(const Spot& spot, const Pixels& picture) { return spot.company >= dense && is_hole(spot, picture); }
 
+/// [m2] of them where the picture says nothing.
+double blank_in(const std::vector<Spot>& spots, const Pixels& picture) {
+  double blank = 0.0;
+  for (const Spot& spot : spots) {
+    if (evidence_of(spot, picture) == Evidence::Nothing) blank += double{spot.share};
+  }
+  return blank;
+}
+
 void append(std::vector<Spot>& all, std::vector<Spot> some) {
   std::move(some.begin(), some.end(), std::back_inserter(all));
   if (all.size() <= most_lost) return;
@@ -101,16 +110,13 @@ void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const 
 /// Of what is farther away than near, keeps what has vanished in mid-air.
 void ThingsMemory::note_vanished(Remembered& thing, const Pixels& picture, float near) {
   if (thing.vanished) return;
-  double blank = 0.0;
   float nearest = std::numeric_limits<float>::infinity();
-  for (const Spot& spot : thing.lost) {
-    nearest = std::min(nearest, spot.point.z);
-    if (evidence_of(spot, picture) == Evidence::Nothing) blank += double{spot.share};
-  }
+  for (const Spot& spot : thing.lost) nearest = std::min(nearest, spot.point.z);
   const bool fair = thing.size * fair_share >= 1.0 * nearest * nearest * static_cast<double>(picture.height()) /
                                                    static_cast<double>(picture.width());
-  thing.vanished = !thing.is_seen() && nearest >= near && thing.clouds >= clouds_to_go && !thing.at_border && fair &&
-                   blank >= 0.95 * thing.size;
+  const bool may_vanish =
+      !thing.is_seen() && nearest >= near && thing.clouds >= clouds_to_go && !thing.at_border && fair;
+  thing.vanished = may_vanish && blank_in(thing.lost, picture) >= 0.95 * thing.size;
   if (thing.vanished) {
     blind_range_ = std::max(blind_range_, nearest);
     return;
