@@ -51,6 +51,7 @@ double median(std::vector<double>& values) {
 template <class Lines>
 std::vector<double> slopes_in(const Lines& lines, const Axis& axis) {
   std::vector<double> slopes;
+  slopes.reserve(RaySamples::rows * RaySamples::columns);
   for (const auto& rays : lines) {
     for (std::size_t i = 0, half = rays.size() / 2; half > 0 && i + half < rays.size(); ++i) {
       const Ray &one = rays[i], &other = rays[i + half];
@@ -66,6 +67,7 @@ std::optional<Line> line_along(const Lines& lines, const Axis& axis) {
   std::vector<double> slopes = slopes_in(lines, axis), offsets;
   if (axis.size < fewest_pixels || slopes.size() < fewest_slopes) return std::nullopt;
   const double slope = median(slopes);
+  offsets.reserve(RaySamples::rows * RaySamples::columns);
   for (const auto& rays : lines) {
     for (const Ray& ray : rays) offsets.push_back(ray.*axis.slant - slope * ray.*axis.pixel);
   }

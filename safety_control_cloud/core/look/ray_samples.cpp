@@ -17,6 +17,8 @@ std::size_t middle_of(std::size_t i, std::size_t parts, std::size_t pixels) {
 
 RaySamples::RaySamples(const View& view) {
   const std::size_t width = width_of(view), height = height_of(view);
+  for (auto& rays : in_row) rays.reserve(columns);
+  for (auto& rays : in_column) rays.reserve(rows);
   with_reader(view, [&](auto reader) {
     for (std::size_t i = 0; i < rows * columns; ++i) {
       const std::size_t row = middle_of(i / columns, rows, height), column = middle_of(i % columns, columns, width);
