@@ -44,7 +44,7 @@ def options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     for name in ("strays", "video", "rrd", "view"):
         if getattr(given, name) != parser.get_default(name) and not given.replay:
             parser.error(f"--{name} goes with --replay")
-        if getattr(given, name) and given.driver:
+        if getattr(given, name) != parser.get_default(name) and given.driver:
             parser.error(f"--{name} does not go with --driver")
     families = DRIVERS[given.driver] if given.driver else FAMILIES
     for family in [*given.family, *([given.replay[0]] if given.replay else [])]:
