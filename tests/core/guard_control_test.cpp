@@ -111,6 +111,17 @@ TEST(GuardControl, BackwardWhereNobodyLooksItCreeps) {
   EXPECT_EQ(other.drives(Scene({post(3.0f, 0.0f)}), {-0.4, 0.0, 0.0}).factor, 0.0);
 }
 
+TEST(GuardControl, BackwardOnAnArcItCreepsTooThoughItsFrontSwingsIntoThePicture) {
+  Settings rectangle = guard_settings();
+  rectangle.footprint.text = "[[0.3, 0.12], [-0.1, 0.12], [-0.1, -0.12], [0.3, -0.12]]";
+  for (const Settings& settings : {guard_settings(), rectangle}) {
+    GuardedRobot robot(settings);
+    const Guarded& answer = robot.drives(Scene(), {-0.55, 0.0, 0.61});
+    EXPECT_LT(answer.factor, 0.25) << answer.reason;
+    EXPECT_GT(answer.factor, 0.0) << answer.reason;
+  }
+}
+
 TEST(GuardControl, ARoundRobotTurnsFreelyInPlace) {
   GuardedRobot robot;
   EXPECT_EQ(robot.drives(Scene({wall_before(0.16)}), {0.0, 0.0, 1.5}).factor, 1.0);

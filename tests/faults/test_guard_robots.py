@@ -37,8 +37,10 @@ def test_the_nodelet_guards_as_the_node_does(master):
     with guarded_robot(started=process(NODELET)) as robot:
         robot.driver.say(AHEAD)
         robot.passes(AHEAD)
-        robot.driver.say(twist(0.5, 0.2))
+        robot.driver.say(None)
         robot.camera.show(hall(wall(0.4 + CAMERA_TO_FRONT)))
+        robot.stands("NO_COMMAND")
+        robot.driver.say(twist(0.5, 0.2))
         robot.gives(lambda state: 0.1 < state.factor < 0.9)
         robot.camera.show(always(cloud_of(NOWHERE)))
         robot.stands("BLIND")

@@ -11,6 +11,7 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr int around_circle = 24, times = 8;
 constexpr double new_ground = 2e-3;    ///< [m] from where the footprint is now
+constexpr double beside_view = 1.05;   ///< [rad] beyond which a way leads out of the picture
 constexpr double straight = 0.1;       ///< [rad/m] a driver's hand is not steadier
 constexpr double least_away = 0.7071;  ///< cosine: half a right angle to each side
 
@@ -36,6 +37,12 @@ Eye towards(const Outlook& outlook, const Point& ahead, double half_angle) {
   return {place, (1.0 / length) * direction, half_angle};
 }
 
+/// Who backs on an arc swings his front into the picture, and drives into what nobody sees.
+bool translates_away(const Eye& eye, const Twist2& twist) {
+  const double bearing = std::atan2(cross(eye.direction, linear(twist)), dot(eye.direction, linear(twist)));
+  return speed_of(twist) > 0.0 && std::abs(bearing) > eye.half_angle + beside_view;
+}
+
 }  // namespace
 
 bool Eye::sees(const Point2& point) const {
@@ -55,11 +62,12 @@ Eye eye_of(const Outlook& outlook, const ScanView& scan) {
 
 bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2& twist, double time) {
   bool new_places = false;
+  const bool away = translates_away(eye, twist);
   for (const Point2& point : boundary_of(outline)) {
     for (int i = 1; i <= times; ++i) {
       const Point2 place = moved(point, {-twist.vx, -twist.vy, -twist.w}, time * i / times);
       if (outline.signed_distance(place) <= new_ground) continue;
-      if (eye.sees(place)) return false;
+      if (!away && eye.sees(place)) return false;
       new_places = true;
     }
   }

@@ -25,7 +25,7 @@ Eye eye_of(const Outlook& outlook, const FieldOfView& field);
 Eye eye_of(const Outlook& outlook, const ScanView& scan);
 
 /// Whether the footprint, within `time` [s] of a twist, comes to where it is not now and all of that lies outside what
-/// the eye sees, at any distance.
+/// the eye sees, at any distance; or all of the robot moves away from where it looks.
 bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2& twist, double time);
 
 /// Whether no part of the robot comes nearer to where the eye looks: straight away from it, without turning.

@@ -11,13 +11,13 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double cell = 0.025, layer = 0.1;                     ///< [m] across and up
-constexpr std::size_t columns = 160, rows = 120;                ///< of a picture that are looked at, at most
+constexpr double cell = 0.015, layer = 0.1;                     ///< [m] across and up
+constexpr std::size_t columns = 107, rows = 80;                 ///< of a picture that are looked at, at most
 constexpr std::size_t most = 30000;                             ///< places
 constexpr std::uint8_t believed = 2;                            ///< looks that show a place, or what is behind it
 constexpr std::array<double, 3> displaced = {0.03, 0.08, 0.2};  ///< [m] places are told apart by these, and lost beyond
 constexpr double absent_for = 1.25;                             ///< [s] without a return where there would be one
-constexpr double own_size = 0.02;  ///< [m] by which a return may lie beside the place of its cell
+constexpr double own_size = 0.01;  ///< [m] by which a return may lie beside the place of its cell
 
 std::uint64_t key_of(const Point2& place, double height) {
   const auto part = [](double value) { return static_cast<std::uint64_t>(std::llround(value)) & 0x1fffffU; };
@@ -101,12 +101,14 @@ void OutOfSight::drop_what_has_gone(const Look& look, const Pose2& pose, double 
   }
 }
 
-/// What a sensor could measure and does not is kept for a while: some things return from one side only.
+/// What is shown has its place anew, from this look. What a sensor could measure and does not is kept for a while: some
+/// things return from one side only.
 bool OutOfSight::has_gone(Place& place, AtPlace seen, bool is_measured, double now) const {
   if (seen == AtPlace::NotThere || (seen == AtPlace::Nothing && !is_measured)) {
     place.absent_since.reset();
     return false;
   }
+  if (seen == AtPlace::Shown) return true;
   if (seen == AtPlace::Behind) ++place.away;
   if (!place.absent_since) place.absent_since = now;
   return place.away >= believed || now - *place.absent_since >= absent_for;

@@ -16,17 +16,24 @@ constexpr int attempts = 3;                          ///< to find a pixel throug
 constexpr double close_enough = 1.5;                 ///< [px]
 
 /// Of several pixels around a direction, one after the other.
-struct Around {
-  bool all_returned = true, none_before = true;
+class Around {
+ public:
+  explicit Around(double distance) : distance_(distance), tolerance_(behind + behind_rate * distance) {}
 
-  void add(bool returned, double seen, double distance) {
-    all_returned = all_returned && returned;
-    none_before = none_before && (!returned || seen > distance + behind + behind_rate * distance);
+  void add(bool returned, double seen, bool is_middle) {
+    all_returned_ = all_returned_ && returned;
+    none_before_ = none_before_ && (!returned || seen > distance_ + tolerance_);
+    shown_ = shown_ || (is_middle && returned && std::abs(seen - distance_) <= tolerance_);
   }
   AtPlace answer() const {
-    if (!none_before) return AtPlace::NotThere;
-    return all_returned ? AtPlace::Behind : AtPlace::Nothing;
+    if (shown_) return AtPlace::Shown;
+    if (!none_before_) return AtPlace::NotThere;
+    return all_returned_ ? AtPlace::Behind : AtPlace::Nothing;
   }
+
+ private:
+  double distance_, tolerance_;  ///< [m]
+  bool all_returned_ = true, none_before_ = true, shown_ = false;
 };
 
 float range_min_of(const Reading& reading) {
@@ -67,11 +74,11 @@ AtPlace SeenAt::in_picture(const Point& place) const {
     if (i + 1 == attempts) return AtPlace::NotThere;
     column += off_across, row += off_down;
   }
-  Around around;
+  Around around(place.z);
   for (std::ptrdiff_t down_by = -1; down_by <= 1; ++down_by) {
     for (std::ptrdiff_t right_by = -1; right_by <= 1; ++right_by) {
       const Point beside = pixels_.near(std::lround(row) + down_by, std::lround(column) + right_by);
-      around.add(returned(beside), beside.z, place.z);
+      around.add(returned(beside), beside.z, down_by == 0 && right_by == 0);
     }
   }
   return around.answer();
@@ -84,10 +91,10 @@ AtPlace SeenAt::in_scan(const Point& place) const {
   const auto last = static_cast<std::ptrdiff_t>(pixels_.width()) - 1;
   const double share = (bearing - scan_->first) / (scan_->last - scan_->first);
   const auto at = static_cast<std::ptrdiff_t>(std::lround(share * static_cast<double>(last)));
-  Around around;
+  Around around(distance);
   for (std::ptrdiff_t beside = -1; beside <= 1; ++beside) {
     const Point seen = pixels_.near(0, (scan_->descending ? last - at : at) + beside);
-    around.add(returned(seen), std::hypot(seen.x, seen.y), distance);
+    around.add(returned(seen), std::hypot(seen.x, seen.y), beside == 0);
   }
   return around.answer();
 }
