@@ -39,8 +39,10 @@ void OutOfSight::note(std::size_t sensor, const Look& look, const Pose2& pose, d
   latest_[sensor] = ++look_;
   const auto is_over = [&](const Place& place) { return now - place.seen_at > limits_.time; };
   for (auto it = places_.begin(); it != places_.end();) it = is_over(it->second) ? places_.erase(it) : std::next(it);
+  const SeenAt seen_at(look.reading, look.view);
+  if (!seen_at.can_tell()) return;
   keep_near(sensor, look, pose, now);
-  drop_what_has_gone(look, pose, now);
+  drop_what_has_gone(look, seen_at, pose, now);
 }
 
 void OutOfSight::travel(const Pose2& pose) {
@@ -53,7 +55,6 @@ void OutOfSight::travel(const Pose2& pose) {
 }
 
 void OutOfSight::keep_near(std::size_t sensor, const Look& look, const Pose2& pose, double now) {
-  if (!SeenAt(look.reading, look.view).can_tell()) return;
   const Pixels pixels(look.view, look.outlook.corridor.range_min);
   const bool is_scan = std::holds_alternative<ScanView>(look.reading);
   const std::size_t across = is_scan ? 1 : step_for(pixels.width(), columns), down = step_for(pixels.height(), rows);
@@ -86,8 +87,7 @@ void OutOfSight::keep(std::size_t sensor, const Point2& place, float height, dou
   found->second = kept;
 }
 
-void OutOfSight::drop_what_has_gone(const Look& look, const Pose2& pose, double now) {
-  const SeenAt seen_at(look.reading, look.view);
+void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Pose2& pose, double now) {
   for (auto it = places_.begin(); it != places_.end();) {
     Place& place = it->second;
     if (place.look == look_) {

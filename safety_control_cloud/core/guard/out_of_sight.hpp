@@ -71,7 +71,7 @@ class OutOfSight {
   void travel(const Pose2& pose);
   void keep_near(std::size_t sensor, const Look& look, const Pose2& pose, double now);
   void keep(std::size_t sensor, const Point2& place, float height, double now);
-  void drop_what_has_gone(const Look& look, const Pose2& pose, double now);
+  void drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Pose2& pose, double now);
   bool has_gone(Place& place, AtPlace seen, bool is_measured, double now) const;
 
   OutOfSightLimits limits_;

@@ -20,20 +20,23 @@ class Around {
  public:
   explicit Around(double distance) : distance_(distance), tolerance_(behind + behind_rate * distance) {}
 
-  void add(bool returned, double seen, bool is_middle) {
+  void add(bool returned, double seen) {
+    ++pixels_;
     all_returned_ = all_returned_ && returned;
     none_before_ = none_before_ && (!returned || seen > distance_ + tolerance_);
-    shown_ = shown_ || (is_middle && returned && std::abs(seen - distance_) <= tolerance_);
+    if (returned && std::abs(seen - distance_) <= tolerance_) ++there_;
   }
+  /// A single stray return shows nothing.
   AtPlace answer() const {
-    if (shown_) return AtPlace::Shown;
+    if (2 * there_ > pixels_) return AtPlace::Shown;
     if (!none_before_) return AtPlace::NotThere;
     return all_returned_ ? AtPlace::Behind : AtPlace::Nothing;
   }
 
  private:
   double distance_, tolerance_;  ///< [m]
-  bool all_returned_ = true, none_before_ = true, shown_ = false;
+  bool all_returned_ = true, none_before_ = true;
+  int pixels_ = 0, there_ = 0;
 };
 
 float range_min_of(const Reading& reading) {
@@ -78,7 +81,7 @@ AtPlace SeenAt::in_picture(const Point& place) const {
   for (std::ptrdiff_t down_by = -1; down_by <= 1; ++down_by) {
     for (std::ptrdiff_t right_by = -1; right_by <= 1; ++right_by) {
       const Point beside = pixels_.near(std::lround(row) + down_by, std::lround(column) + right_by);
-      around.add(returned(beside), beside.z, down_by == 0 && right_by == 0);
+      around.add(returned(beside), beside.z);
     }
   }
   return around.answer();
@@ -94,7 +97,7 @@ AtPlace SeenAt::in_scan(const Point& place) const {
   Around around(distance);
   for (std::ptrdiff_t beside = -1; beside <= 1; ++beside) {
     const Point seen = pixels_.near(0, (scan_->descending ? last - at : at) + beside);
-    around.add(returned(seen), std::hypot(seen.x, seen.y), beside == 0);
+    around.add(returned(seen), std::hypot(seen.x, seen.y));
   }
   return around.answer();
 }

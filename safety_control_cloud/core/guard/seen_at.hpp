@@ -13,7 +13,7 @@ namespace safety_control_cloud {
 /// What a look shows where something is remembered.
 enum class AtPlace : std::uint8_t {
   NotThere,  ///< it does not look there, or at something before it
-  Shown,     ///< what returns from its direction lies where it does
+  Shown,     ///< most of what returns from around its direction lies where it does
   Nothing,   ///< it looks there, and nothing returns from it nor before it
   Behind,    ///< all that returns from around its direction lies behind it
 };

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "guarded_robot.hpp"
 
@@ -114,6 +115,22 @@ TEST(OutOfSight, OneStrayReturnIsNothing) {
   robot.passes(0.05, with_post);
   robot.turns(quarter, robot.hall);
   EXPECT_EQ(robot.asked({0.0, -0.7, 0.0}).factor, 1.0) << robot.wants(right).reason;
+}
+
+/// As a stereo camera gives them where something is too near for it.
+TEST(OutOfSight, StrayReturnsDoNotEraseIt) {
+  std::mt19937 random(7);
+  Robot robot;
+  const auto board_at = [](float distance) { return Scene({{distance, -0.3f, 0.3f, -0.3f, 0.25f}}); };
+  robot.passes(0.5, board_at(0.6f));
+  for (int i = 0; i < 10; ++i) {
+    robot.pose.place.x += 0.025;
+    robot.passes(0.05, board_at(0.6f - 0.025f * static_cast<float>(i + 1)));  // until it is too near
+  }
+  for (int i = 0; i < 400; ++i) robot.passes(0.05, board_at(0.35f).stray(0.1, random));
+  robot.turns(quarter, robot.hall);
+  const Guarded& answer = robot.asked({0.0, -0.7, 0.0});
+  EXPECT_LT(answer.factor, 1.0) << answer.reason;
 }
 
 TEST(OutOfSight, AfterAJumpOfOdometryItStandsUntilEachSensorHasLooked) {
