@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -51,6 +52,22 @@ def test_what_cannot_be_written_is_refused_before_the_drives(arguments, capsys, 
 def test_demo_and_bench_too_refuse_it_at_once(command):
     result = subprocess.run([sys.executable, *command], capture_output=True, text=True, timeout=60)
     assert result.returncode == 2 and "cannot write" in result.stderr.splitlines()[-1]
+
+
+def test_who_interrupts_it_is_told_of_the_drives_that_were_done(monkeypatch, capsys, tmp_path):
+    from safety_control_cloud.trials import run as running
+
+    def interrupted(jobs, drive, crew):
+        yield jobs[0], drive(jobs[0])
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(running, "shared_out", interrupted)
+    given = options(["--family", "wall", "--episodes", "2", "--method", "ours", "--jobs", "1", "--json", str(tmp_path / "out.json")])
+    with pytest.raises(KeyboardInterrupt):
+        run(given)
+    told = capsys.readouterr()
+    assert "in 1 drives" in told.out and "interrupted: 1 of 2 drives" in told.err
+    assert len(json.loads((tmp_path / "out.json").read_text())["episodes"]) == 1
 
 
 def test_a_drive_is_told_and_filmed(tmp_path):

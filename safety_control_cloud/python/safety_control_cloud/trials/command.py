@@ -15,7 +15,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from ..view.options import recorded_in
 from .names import METHODS
-from .run import Job, drive_all, jobs_for
+from .run import Interrupted, Job, drive_all, jobs_for
 from .summary import is_collision, to_json
 from .table import table_of, verdict_of
 
@@ -46,7 +46,17 @@ def _replay(given: argparse.Namespace, methods: Sequence[str]) -> int:
 
 
 def _drive(given: argparse.Namespace, methods: Sequence[str]) -> int:
-    outcomes = _with_progress(jobs_for(given.episodes, given.seed, methods, given.family, given.driver or ""), given)
+    jobs = jobs_for(given.episodes, given.seed, methods, given.family, given.driver or "")
+    try:
+        return _tell(_with_progress(jobs, given), given)
+    except Interrupted as interrupted:
+        if interrupted.outcomes:
+            _tell(interrupted.outcomes, given)
+        print(f"interrupted: {len(interrupted.outcomes)} of {len(jobs)} drives", file=sys.stderr)
+        raise KeyboardInterrupt from None
+
+
+def _tell(outcomes: Sequence[Any], given: argparse.Namespace) -> int:
     if given.driver:
         return _tell_guarded(outcomes, given)
     console = _console()

@@ -28,6 +28,14 @@ class Job:
     driver: str = ""  # somebody else, whom the method guards; none: the method drives
 
 
+class Interrupted(Exception):
+    """Somebody ended it. `outcomes`: of the drives that were done, in the order of their jobs."""
+
+    def __init__(self, outcomes: list[Outcome]) -> None:
+        super().__init__(f"interrupted after {len(outcomes)} drives")
+        self.outcomes = outcomes
+
+
 def jobs_for(
     episodes: int, seed: int, methods: Sequence[str], families: Sequence[str] = (), driver: str = ""
 ) -> tuple[Job, ...]:
@@ -56,15 +64,18 @@ def drive_all(
 ) -> list[Outcome]:
     """The outcomes in the order of the jobs. `on_outcome` hears of each as soon as it is there, in any order.
 
-    Raises dispatch.Lost for a drive that its workers do not survive, dispatch.ClusterError.
+    Raises dispatch.Lost for a drive that its workers do not survive, dispatch.ClusterError, Interrupted.
     """
     outcomes: dict[Job, Outcome] = {}
-    with _crew(min(workers, len(jobs)) or 1, scheduler, say) as crew:
-        for job, outcome in shared_out(jobs, drive, crew):
-            if isinstance(outcome, Fatal):
-                raise Lost(f"{outcome.deaths} workers died over {job.family}:{job.seed}, {job.method}")
-            outcomes[job] = outcome
-            on_outcome(outcome)
+    try:
+        with _crew(min(workers, len(jobs)) or 1, scheduler, say) as crew:
+            for job, outcome in shared_out(jobs, drive, crew):
+                if isinstance(outcome, Fatal):
+                    raise Lost(f"{outcome.deaths} workers died over {job.family}:{job.seed}, {job.method}")
+                outcomes[job] = outcome
+                on_outcome(outcome)
+    except KeyboardInterrupt:
+        raise Interrupted([outcomes[job] for job in jobs if job in outcomes]) from None
     return [outcomes[job] for job in jobs]
 
 
