@@ -93,7 +93,11 @@ void GuardControl::see(const Reading& reading, const Origin& origin, const Insta
     breaks_ = odometry_.breaks();
   }
   const auto pose = look ? odometry_.pose_at(look->stamp) : std::nullopt;
-  if (pose) out_of_sight_.note(sensor, *look, *pose, now.steady);
+  if (pose) {
+    out_of_sight_.note(sensor, *look, *pose, now.steady);
+  } else if (look) {
+    out_of_sight_.note_unplaced(sensor);
+  }
 }
 
 void GuardControl::want(const Command& wanted, const Instant& now, std::optional<double> stamp) {

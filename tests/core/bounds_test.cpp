@@ -19,7 +19,7 @@ TEST(Bounds, EveryNumberHasABoundThatItsRefusalNames) {
   const Settings defaults;
   for_each_parameter(defaults, [&](const std::string& name, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
-    if constexpr (std::is_arithmetic_v<Value>) {
+    if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
       Settings settings;
       for_each_parameter(settings, [&](const std::string& candidate, auto& number) {
         if constexpr (std::is_same_v<std::decay_t<decltype(number)>, Value>) {

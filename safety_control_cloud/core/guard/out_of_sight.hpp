@@ -47,6 +47,9 @@ class OutOfSight {
   /// organised nothing is kept: nobody could tell what is seen behind it.
   void note(std::size_t sensor, const Look& look, const Pose2& pose, double now);
 
+  /// `sensor` shows something, and nobody knows from where.
+  void note_unplaced(std::size_t sensor) { latest_[sensor] = ++look_; }
+
   void forget() { *this = OutOfSight(limits_); }
 
   /// Whether anything is kept.
