@@ -60,7 +60,8 @@ def test_a_command_into_a_wall_is_scaled_as_a_whole(robot):
 
 
 def test_a_round_robot_turns_in_place_beside_a_wall(robot):
-    robot.stands("NO_COMMAND")  # who still drives ahead may not turn either before a wall that has just appeared
+    # Who may still roll ahead may not turn either before a wall that has just appeared.
+    robot.gives(lambda state: state.cause_text == "NO_COMMAND", lasts=1.0)
     robot.camera.show(hall(wall(0.45)))
     robot.driver.say(twist(0.0, 1.0))
     robot.passes(twist(0.0, 1.0))
