@@ -2,7 +2,7 @@
 """The summary as a page: table, histograms, and a picture of every collision of ours."""
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from html import escape
 from math import isfinite
 from pathlib import Path
@@ -34,18 +34,28 @@ def write_report(outcomes: Sequence[Outcome], folder: Path, made_by: str) -> Pat
         f"<h2>Our collisions: {len(avoidable)}, and {len(collisions) - len(avoidable)} at limits</h2>",
         *(_collision(one, folder) for one in collisions),
     ]
+    return write_page(folder, parts)
+
+
+def write_page(folder: Path, parts: Sequence[str]) -> Path:
+    """index.html of these pieces of HTML."""
     page = folder / "index.html"
     page.write_text(f'<!doctype html><meta charset="utf-8"><title>Trials</title><style>{STYLE}</style>' + "\n".join(parts))
     return page
 
 
-def _table(outcomes: Sequence[Outcome]) -> str:
-    head = "".join(f"<th>{heading}</th>" for heading in HEADINGS)
+def table_in_html(headings: Sequence[str], lines: Iterable[tuple[Sequence[str], bool]]) -> str:
+    """Each line has its cells, and whether it is bad."""
+    head = "".join(f"<th>{heading}</th>" for heading in headings)
     body = ""
-    for one in rows(outcomes):
-        bad = ' class="bad"' if one.collisions and one.method == "ours" else ""
-        body += f"<tr{bad}>" + "".join(f"<td>{escape(cell)}</td>" for cell in cells(one)) + "</tr>"
+    for told, is_bad in lines:
+        bad = ' class="bad"' if is_bad else ""
+        body += f"<tr{bad}>" + "".join(f"<td>{escape(cell)}</td>" for cell in told) + "</tr>"
     return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def _table(outcomes: Sequence[Outcome]) -> str:
+    return table_in_html(HEADINGS, ((cells(one), bool(one.collisions) and one.method == "ours") for one in rows(outcomes)))
 
 
 def _collision(outcome: Outcome, folder: Path) -> str:

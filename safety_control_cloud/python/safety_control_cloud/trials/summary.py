@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass
 from math import isfinite, nan
+from typing import Any
 
 import numpy as np
 
@@ -37,6 +38,11 @@ def is_collision(outcome: Outcome) -> bool:
 
 def rows(outcomes: Sequence[Outcome]) -> list[Row]:
     """One for each family and method, in the order in which they come, and last those of ALL."""
+    return by_family(outcomes, row)
+
+
+def by_family(outcomes: Sequence[Any], row: Callable[[str, str, Sequence[Any]], Any]) -> list[Any]:
+    """What row(family, method, outcomes) makes of the outcomes of each, and last of each method's in ALL."""
     keys = dict.fromkeys((one.family, one.method) for one in outcomes)
     methods = dict.fromkeys(one.method for one in outcomes)
     alike = {key: [one for one in outcomes if (one.family, one.method) == key] for key in keys}

@@ -74,31 +74,6 @@ class Ours:
         return Passed(self._wanted, given, said.factor, said.cause.name, said.reason)
 
 
-class TutorialGuard:
-    """The tutorial's zones as a guard: forward no faster than the zone's speed, all else as it is wanted."""
-
-    looks = True
-
-    def __init__(self, scenario: Scenario) -> None:
-        self._tutorial, self._wanted, self._speed = Tutorial(), Velocity(), 0.0
-
-    def see(self, depth: NDArray[np.float32], stamp: float, now: float) -> None:
-        self._speed = self._tutorial.decide(depth, stamp, now).speed
-
-    def note_odometry(self, pose: Pose, velocity: Velocity, now: float) -> None:
-        pass
-
-    def want(self, wanted: Velocity, now: float) -> None:
-        self._wanted = wanted
-
-    def answer(self, now: float) -> Passed:
-        wanted = self._wanted
-        if wanted.linear <= self._speed:
-            return Passed(wanted, wanted, 1.0, "SEEN")
-        factor = self._speed / wanted.linear
-        return Passed(wanted, Velocity(self._speed, factor * wanted.angular), factor, "SEEN")
-
-
 class Nobody:
     """What is wanted is done."""
 
@@ -118,6 +93,26 @@ class Nobody:
 
     def answer(self, now: float) -> Passed:
         return Passed(self._wanted, self._wanted, 1.0, "")
+
+
+class TutorialGuard(Nobody):
+    """The tutorial's zones as a guard: forward no faster than the zone's speed, all else as it is wanted."""
+
+    looks = True
+
+    def __init__(self, scenario: Scenario) -> None:
+        super().__init__(scenario)
+        self._tutorial, self._speed = Tutorial(), 0.0
+
+    def see(self, depth: NDArray[np.float32], stamp: float, now: float) -> None:
+        self._speed = self._tutorial.decide(depth, stamp, now).speed
+
+    def answer(self, now: float) -> Passed:
+        wanted = self._wanted
+        if wanted.linear <= self._speed:
+            return Passed(wanted, wanted, 1.0, "SEEN")
+        factor = self._speed / wanted.linear
+        return Passed(wanted, Velocity(self._speed, factor * wanted.angular), factor, "SEEN")
 
 
 GUARDS = {"ours": Ours, "tutorial": TutorialGuard, "nobody": Nobody}

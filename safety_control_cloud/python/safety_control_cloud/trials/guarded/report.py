@@ -9,7 +9,7 @@ from pathlib import Path
 from matplotlib.figure import Figure
 
 from ..families import scenario_of
-from ..report import STYLE
+from ..report import table_in_html, write_page
 from .outcome import IN_VIEW, NEVER, Outcome
 from .replay import draw_to
 from .summary import is_failure, rows
@@ -32,18 +32,11 @@ def write_report(outcomes: Sequence[Outcome], folder: Path, driver: str, made_by
         f"<h2>Drives of ours with a contact that had been seen, or that did not arrive: {len(telling)}</h2>",
         *(_drive(one, folder, driver) for one in telling[:MOST_PICTURES]),
     ]
-    page = folder / "index.html"
-    page.write_text(f'<!doctype html><meta charset="utf-8"><title>Trials</title><style>{STYLE}</style>' + "\n".join(parts))
-    return page
+    return write_page(folder, parts)
 
 
 def _table(outcomes: Sequence[Outcome]) -> str:
-    head = "".join(f"<th>{heading}</th>" for heading in HEADINGS)
-    body = ""
-    for one in rows(outcomes):
-        bad = ' class="bad"' if one.touches[IN_VIEW] and one.method == "ours" else ""
-        body += f"<tr{bad}>" + "".join(f"<td>{escape(cell)}</td>" for cell in cells(one)) + "</tr>"
-    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+    return table_in_html(HEADINGS, ((cells(one), bool(one.touches[IN_VIEW]) and one.method == "ours") for one in rows(outcomes)))
 
 
 def _drive(outcome: Outcome, folder: Path, driver: str) -> str:

@@ -9,7 +9,7 @@ from math import nan
 
 import numpy as np
 
-from ..summary import ALL, without_nan
+from ..summary import by_family, without_nan
 from .outcome import IN_VIEW, KINDS, Outcome
 
 
@@ -35,11 +35,7 @@ class Row:
 
 def rows(outcomes: Sequence[Outcome]) -> list[Row]:
     """One for each family and method, in the order in which they come, and last those of ALL."""
-    keys = dict.fromkeys((one.family, one.method) for one in outcomes)
-    methods = dict.fromkeys(one.method for one in outcomes)
-    made = [row(family, method, [one for one in outcomes if (one.family, one.method) == (family, method)])
-            for family, method in keys]
-    return made + [row(ALL, method, [one for one in outcomes if one.method == method]) for method in methods]
+    return by_family(outcomes, row)
 
 
 def row(family: str, method: str, outcomes: Sequence[Outcome]) -> Row:
