@@ -24,8 +24,8 @@ enum class Cause : std::uint8_t {
   WrongView = 14,      ///< the cloud is no optical one, or its camera does not look down the corridor
   NoTime = 15,         ///< ROS time is 0: it is simulated, and nobody publishes /clock
   NoCommand = 16,      ///< guard: nobody commands the robot, or not for command_timeout
-  NoOdometry = 18,     ///< guard: odometry jumped or stopped, and what is out of sight cannot be placed
   BadCommand = 17,     ///< guard: a command holds NaN, an infinity, what no robot can drive, or a stamp that is 0, old or ahead
+  NoOdometry = 18,     ///< guard: odometry jumped or stopped, and what is out of sight cannot be placed
 };
 
 const char* name_of(Cause cause);  ///< "SEEN", "NO_CLOUD", ...
