@@ -67,12 +67,14 @@ double lasts(const Reading& reading) {
 GuardSensor::GuardSensor(const SensorSettings& sensor, const Settings& settings, const Guard& guard)
     : about_(sensor),
       own_(own_settings(settings, sensor)),
+      straight_(sensor_settings(own_)),
       law_(law_of(own_)),
-      sensor_(sensor_settings(own_)),
+      sensor_(straight_),
       around_(surroundings_of(own_, guard)) {}
 
 void GuardSensor::adopt(const Settings& settings, const Guard& guard) {
   own_ = own_settings(settings, about_);
+  straight_ = sensor_settings(own_);
   law_ = law_of(own_);
   sensor_.adopt(sensor_settings(own_, facing_));
   around_ = surroundings_of(own_, guard);
@@ -94,19 +96,20 @@ std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origi
 /// A scan looks to all sides.
 void GuardSensor::face(const Reading& reading, const Placing& placing) {
   const auto* placement = std::get_if<Placement>(&placing);
-  const auto heading = placement ? heading_of(*placement) : std::nullopt;
-  if (!heading || std::holds_alternative<ScanView>(reading)) return;
-  if (std::abs(std::remainder(*heading - facing_, 2.0 * std::acos(-1.0))) <= turned_away) return;
-  facing_ = std::abs(*heading) <= turned_away ? 0.0 : *heading;
+  if (!placement || std::holds_alternative<ScanView>(reading)) return;
+  const Point2 ahead = eye_of(Outlook({}, *placement), FieldOfView{}).direction;
+  if (length_of(ahead) == 0.0) return;  // straight up or down
+  const double heading = std::atan2(ahead.y, ahead.x);
+  if (std::abs(std::remainder(heading - facing_, 2.0 * std::acos(-1.0))) <= turned_away) return;
+  facing_ = std::abs(heading) <= turned_away ? 0.0 : heading;
   sensor_.adopt(sensor_settings(own_, facing_));
 }
 
 Look GuardSensor::take(const Reading& reading, const Origin& origin, const Instant& now) {
-  const Settings by = sensor_settings(own_);
-  const Outlook outlook = std::get<Outlook>(outlook_of(by, origin.placing));  // there is one, or nothing were seen
-  const View view = view_in(reading, by);
+  const Outlook outlook = std::get<Outlook>(outlook_of(straight_, origin.placing));  // there is, or nothing were seen
+  const View view = view_in(reading, straight_);
   around_.look(view, outlook);
-  const double on_its_way = by.stamp_tolerance > 0.0 ? std::max(0.0, now.ros - origin.stamp) : 0.0;
+  const double on_its_way = own_.stamp_tolerance > 0.0 ? std::max(0.0, now.ros - origin.stamp) : 0.0;
   taken_ = Taken{now, on_its_way, lasts(reading), eye_in(reading, view, outlook)};
   const double measures_from =
       own_.input == InputKind::Scan ? least_of_scan : own_.near_loss.blind_range + least_beyond;

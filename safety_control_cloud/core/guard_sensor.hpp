@@ -23,7 +23,7 @@ class GuardSensor {
   /// Goes on with other settings for all.
   void adopt(const Settings& settings, const Guard& guard);
 
-  /// A reading has come, readable or not. What it shows, if that is believed.
+  /// A reading has come, readable or not, What it shows, if that is believed.
   std::optional<Look> see(const Reading& reading, const Origin& origin, const Instant& now);
 
   /// None has come until `now`.
@@ -66,6 +66,7 @@ class GuardSensor {
 
   SensorSettings about_;
   Settings own_;
+  Settings straight_;  ///< by which all of its points are taken, whichever way it looks
   Law law_;
   double facing_ = 0.0;  ///< [rad] from base_frame's x axis: where the corridor leads that it looks down
   Sensor sensor_;

@@ -100,8 +100,8 @@ void GuardNode::on_arrival(std::size_t sensor, const Arrival& arrival) {
   const Guarded& decided = answer();
   const double decision_time = seconds_since(came), latency = age_of(header_);
   const bool changes = !same_bits(to_twist(decided.given), said_) || decided.cause != said_cause_;
-  diagnostics_.on_cloud(to_decision(decided), header_, decision_time, latency, sensor);
   if (changes) publish(decided);
+  diagnostics_.on_cloud(to_decision(decided), header_, decision_time, latency, sensor);
 }
 
 /// The one border where an exception becomes a doubt: whatever went wrong, the robot stands.

@@ -8,17 +8,6 @@
 #include "pose.hpp"
 
 namespace safety_control_cloud {
-namespace {
-
-constexpr double least = 0.1;  ///< of the camera's axis that must lie in the plane
-
-}  // namespace
-
-std::optional<double> heading_of(const Placement& placement) {
-  const Point2 ahead{placement.rows[2][2], -placement.rows[0][2]};
-  if (!(length_of(ahead) > least)) return std::nullopt;
-  return std::atan2(ahead.y, ahead.x);
-}
 
 Placement in_turned_frame(const Placement& placement, double angle) {
   if (angle == 0.0) return placement;

@@ -77,13 +77,12 @@ AtPlace SeenAt::in_picture(const Point& place) const {
     if (i + 1 == attempts) return AtPlace::NotThere;
     column += off_across, row += off_down;
   }
+  const auto r = std::lround(row), c = std::lround(column);
+  const auto beside = [](long at, std::size_t size) { return at < 0 || at >= static_cast<long>(size); };
+  if (beside(r, pixels_.height()) || beside(c, pixels_.width())) return AtPlace::NotThere;
   Around around(place.z);
-  for (std::ptrdiff_t down_by = -1; down_by <= 1; ++down_by) {
-    for (std::ptrdiff_t right_by = -1; right_by <= 1; ++right_by) {
-      const Point beside = pixels_.near(std::lround(row) + down_by, std::lround(column) + right_by);
-      around.add(returned(beside), beside.z);
-    }
-  }
+  for (const float z : pixels_.around(static_cast<std::size_t>(r), static_cast<std::size_t>(c)))
+    around.add(!std::isnan(z), z);
   return around.answer();
 }
 
