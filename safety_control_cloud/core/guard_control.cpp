@@ -86,7 +86,7 @@ double GuardControl::until_silent(double now) const {
 }
 
 void GuardControl::see(const Reading& reading, const Origin& origin, const Instant& now, std::size_t sensor) {
-  const auto look = sensors_[sensor].see(reading, origin, now);
+  const auto look = sensors_[sensor].see(reading, origin, now, given_);
   if (odometry_.breaks() != breaks_) {
     if (out_of_sight_.holds_any(now.steady)) jumped_ = odometry_.goes_on_since();
     out_of_sight_.forget();

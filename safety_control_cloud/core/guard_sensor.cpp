@@ -81,7 +81,8 @@ void GuardSensor::adopt(const Settings& settings, const Guard& guard) {
   taken_.reset();  // what was collected was collected within other limits
 }
 
-std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origin, const Instant& now) {
+std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origin, const Instant& now,
+                                     const Given& given) {
   last_arrival_ = now.steady;
   face(reading, origin.placing);
   Origin facing = origin;
@@ -90,7 +91,7 @@ std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origi
   sensor_.see(reading, facing, now);
   if (!std::holds_alternative<Seen>(sensor_.answer())) return std::nullopt;
   was_sound_ = true;
-  return take(reading, origin, now);
+  return take(reading, origin, now, given);
 }
 
 /// A scan looks to all sides.
@@ -105,12 +106,13 @@ void GuardSensor::face(const Reading& reading, const Placing& placing) {
   sensor_.adopt(sensor_settings(own_, facing_));
 }
 
-Look GuardSensor::take(const Reading& reading, const Origin& origin, const Instant& now) {
+Look GuardSensor::take(const Reading& reading, const Origin& origin, const Instant& now, const Given& given) {
   const Outlook outlook = std::get<Outlook>(outlook_of(straight_, origin.placing));  // there is, or nothing were seen
   const View view = view_in(reading, straight_);
   around_.look(view, outlook);
   const double on_its_way = own_.stamp_tolerance > 0.0 ? std::max(0.0, now.ros - origin.stamp) : 0.0;
-  taken_ = Taken{now, on_its_way, lasts(reading), eye_in(reading, view, outlook)};
+  taken_ = Taken{now, on_its_way, lasts(reading), eye_in(reading, view, outlook),
+                 given.reckoned_at(now.steady - on_its_way)};
   const double measures_from =
       own_.input == InputKind::Scan ? least_of_scan : own_.near_loss.blind_range + least_beyond;
   return {reading, view, outlook, now.ros - on_its_way, measures_from};
@@ -149,7 +151,7 @@ std::vector<Pose2> GuardSensor::ways_since_look(const Instant& now, const Odomet
   const double on_its_way = taken_->time_to_arrive;
   const auto way = odometry.way_since(taken_->arrival.ros - on_its_way, now.ros);
   const auto way_since_arrival = odometry.way_since(taken_->arrival.ros, now.ros);
-  if (!way || !way_since_arrival) return given.ways_since(taken_->arrival.steady - on_its_way, now.steady);
+  if (!way || !way_since_arrival) return given.ways_since(taken_->from, now.steady);
   if (on_its_way <= long_on_its_way && taken_->lasts == 0.0) return {*way};
   return {*way, *way_since_arrival};
 }

@@ -23,8 +23,8 @@ class GuardSensor {
   /// Goes on with other settings for all.
   void adopt(const Settings& settings, const Guard& guard);
 
-  /// A reading has come, readable or not, What it shows, if that is believed.
-  std::optional<Look> see(const Reading& reading, const Origin& origin, const Instant& now);
+  /// A reading has come, readable or not, at a robot that was `given` this. What it shows, if that is believed.
+  std::optional<Look> see(const Reading& reading, const Origin& origin, const Instant& now, const Given& given);
 
   /// None has come until `now`.
   void wait(const Instant& now);
@@ -58,10 +58,11 @@ class GuardSensor {
     double time_to_arrive;  ///< [s] since its stamp, as far as that is believed
     double lasts;           ///< [s] for which it was being taken after its stamp
     Eye eye;
+    Given::Reckoned from;  ///< where the robot was then
   };
 
   void face(const Reading& reading, const Placing& placing);
-  Look take(const Reading& reading, const Origin& origin, const Instant& now);
+  Look take(const Reading& reading, const Origin& origin, const Instant& now, const Given& given);
   std::vector<Pose2> ways_since_look(const Instant& now, const Odometry& odometry, const Given& given) const;
 
   SensorSettings about_;

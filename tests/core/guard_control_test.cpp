@@ -101,6 +101,22 @@ TEST(GuardControl, FromAWallItCannotSeeAnyMoreItBacksOff) {
   EXPECT_EQ(robot.drives(too_near, {0.0, 0.0, 0.3}).factor, 0.0) << "turning, it would lose where not to go";
 }
 
+TEST(GuardControl, OnceItSurelyStandsTheWayBackIsOpenWithoutOdometryToo) {
+  const Scene nothing({wall_before(-0.2)});
+  for (const double gap : {0.14, 0.185, 0.25}) {
+    for (const double waits : {1.2, 3.0, 4.5, 8.0, 30.0}) {
+      GuardedRobot robot;
+      ASSERT_GT(robot.drives(Scene({wall_before(gap)}), {0.3, 0.0, 0.0}).factor, 0.0);
+      for (double time = 0.0; time < waits; time += 0.05) robot.drives_on(nothing, {0.3, 0.0, 0.0});
+      EXPECT_EQ(robot.wants({0.3, 0.0, 0.0}).open, backward) << gap << " after " << waits;
+      for (int i = 0; i < 40; ++i) {
+        const Guarded& back = robot.drives_on(nothing, {-0.1, 0.0, 0.0});
+        ASSERT_EQ(back.factor, 1.0) << gap << " after " << waits << ": " << back.reason;
+      }
+    }
+  }
+}
+
 TEST(GuardControl, BackwardWhereNobodyLooksItCreeps) {
   GuardedRobot robot;
   const Guarded& answer = robot.drives(Scene({post(3.0f, 0.0f)}), {-0.4, 0.0, 0.0});

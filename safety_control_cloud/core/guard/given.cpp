@@ -39,7 +39,7 @@ std::optional<double> share_in(const Twist2& whole, const Twist2& twist) {
 
 void Given::note(const Twist2& twist, double now) {
   if (!told_.empty() && same(told_.back().twist, twist) && now - told_.back().since < following_.delay) return;
-  told_.push_back({now, twist, slowly_at(now)});
+  told_.push_back({now, twist, slowly_at(now), reckoned_at(now)});
   while (told_.size() > 1 && told_[1].since < now - kept) told_.pop_front();
 }
 
@@ -127,23 +127,29 @@ Twist2 Given::Steady::with(const Twist2& measured) const {
   return {twist.vx + measured.vx - known.vx, twist.vy + measured.vy - known.vy, twist.w + measured.w - known.w};
 }
 
-template <class TwistAt>
-Pose2 Given::way_by(TwistAt twist_at, double then, double now) const {
-  const double time = std::max(0.0, now - then);
-  const double steps = std::ceil(std::min(time, longest_way) / step);
+Pose2 Given::slow_way(double then, double now) const {
+  const double time = std::max(0.0, now - then), steps = std::ceil(std::min(time, longest_way) / step);
   Pose2 way;
-  for (double i = 0.0; i < steps; ++i) way = beyond(way, way_of(twist_at(then + i * time / steps), time / steps));
+  for (double i = 0.0; i < steps; ++i) way = beyond(way, way_of(slowly_at(then + i * time / steps), time / steps));
   return way;
 }
 
-std::vector<Pose2> Given::ways_since(double then, double now) const {
+Given::Reckoned Given::reckoned_at(double moment) const {
+  const auto after = first_after(moment);
+  if (after == told_.begin()) return told_.empty() ? Reckoned{} : told_.front().at;
+  const auto& [since, twist, slowly, at] = *std::prev(after);
+  const double time = moment - since;
+  return {beyond(at[0], way_of(twist, time)), beyond(at[1], way_of(limited(twist, 0.5), time)),
+          beyond(at[2], slow_way(since, moment))};
+}
+
+std::vector<Pose2> Given::ways_since(const Reckoned& then, double now) const {
+  const Reckoned here = reckoned_at(now);
   std::vector<Pose2> ways{Pose2{}};
-  const auto add = [&](const Pose2& way) {
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    const Pose2 way = between(then[i], here[i]);
     if (displacement(way, 1.0) > no_difference) ways.push_back(way);
-  };
-  add(way_by([&](double moment) { return told_at(moment); }, then, now));
-  add(way_by([&](double moment) { return limited(told_at(moment), 0.5); }, then, now));
-  add(way_by([&](double moment) { return slowly_at(moment); }, then, now));
+  }
   return ways;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -31,15 +32,22 @@ class Given {
   /// it brakes as slowly as it can, and what is `measured`; or fewer, if no stopping way of these exceeds theirs.
   std::vector<Twist2> under_way(double now, const std::optional<Twist2>& measured = std::nullopt) const;
 
-  /// Ways that it may have gone since `then`: none, and those of who obeys at once, half of it, or as late as can be.
-  /// The true one lies between them.
-  std::vector<Pose2> ways_since(double then, double now) const;
+  /// Where the robot is, in a frame that rests, if it obeys at once, half of it, or as late as can be.
+  using Reckoned = std::array<Pose2, 3>;
+
+  /// No more than a few seconds ago.
+  Reckoned reckoned_at(double moment) const;
+
+  /// Ways that it may have gone from there until now, however long ago that was: none, and those of who obeys so. The
+  /// true one lies between them.
+  std::vector<Pose2> ways_since(const Reckoned& then, double now) const;
 
  private:
   struct Told {
     double since;
     Twist2 twist;
     Twist2 slowly;  ///< what the slowest base did at that moment
+    Reckoned at;
   };
 
   std::deque<Told>::const_iterator first_after(double moment) const;
@@ -54,8 +62,7 @@ class Given {
   };
 
   std::optional<Steady> as_if_steady(const std::vector<Twist2>& twists, double now) const;
-  template <class TwistAt>
-  Pose2 way_by(TwistAt twist_at, double then, double now) const;
+  Pose2 slow_way(double then, double now) const;
 
   Following following_;
   std::deque<Told> told_;

@@ -39,7 +39,7 @@ std::string in_words(const Limit& limit, const Point2& point) {
 
 /// What the whole of a motion would run into, where the part of it that is left clears all.
 Contact on_the_path(const Outline& outline, const Obstacles& obstacles, const Twist2& wanted) {
-  const Sweep sweep(outline, wanted, obstacles.widening);
+  const Sweep sweep(outline, wanted);
   return contact(obstacles, 1, 0.0, [&](const Point2& point) { return sweep.time_to_contact(point); });
 }
 
@@ -130,11 +130,12 @@ Allowed Guard::by_ring(const Twist2& wanted, const std::vector<Twist2>& under_wa
   const double widening = ring.obstacles.widening + widening_for(known.ways, ring.extent);
   Law law = known.law;
   law.min_points = law.min_points > nearer ? law.min_points - nearer : 1;
-  // What is inside the margin can be left only by who knows the points as they are (limit.hpp). Such cells are
-  // so small that to widen the margin by them, and to take them off the noise, is as good.
-  if (ring.as_they_are) law.noise = std::max(0.5 * law.noise, law.noise - 2.0 * ring.obstacles.widening);
-  const Outline outline = ring.as_they_are ? Outline(widened(outline_, widening)) : outline_;
-  Obstacles moved{{}, ring.obstacles.counts, ring.as_they_are ? 0.0 : widening};
+  // What is inside the margin can be left only by who knows the points as they are (limit.hpp), and a robot that was
+  // slow to stop may have come near to what was far when it was seen. So the margin is widened, not the points, and the
+  // rest is taken off the noise.
+  law.noise = std::max(0.5 * law.noise, law.noise - 2.0 * ring.obstacles.widening);
+  const Outline outline(widened(outline_, widening));
+  Obstacles moved{{}, ring.obstacles.counts};
   for (const Pose2& way : known.ways) {
     moved.points.clear();
     for (const Point2& point : ring.obstacles.points) moved.points.push_back(seen_after(way, point));

@@ -7,7 +7,7 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double kept = 5.0;          ///< [s]
+constexpr double kept = 60.0;         ///< [s]
 constexpr std::size_t most = 5000;    ///< of them, however often they come
 constexpr double longest_gap = 0.25;  ///< [s] over which a twist is taken to last
 constexpr double most_off = 0.1;      ///< [m], [rad] by which a pose may miss what the twists before and after explain

@@ -124,7 +124,7 @@ bool OutOfSight::holds_any(double now) const {
 
 std::vector<Ring> OutOfSight::rings(const Pose2& pose, double reach, double now, const std::vector<bool>& shows) const {
   std::vector<Ring> rings;
-  for (std::size_t i = 0; i < displaced.size(); ++i) rings.push_back({reach, {}, 0, true});
+  for (std::size_t i = 0; i < displaced.size(); ++i) rings.push_back({reach, {}});
   const Pose2 since = pose_ ? between(*pose_, pose) : Pose2{};
   const double distance = distance_ + length_of(since.place), angle = angle_ + std::abs(since.heading);
   for (const auto& [key, place] : places_) {

@@ -25,7 +25,6 @@ Surroundings::Surroundings(const Outline& outline, Band band) : band_(std::move(
   cells_.emplace_back(middle, 2.0 * middle / across_coarser);
   cells_.emplace_back(outer, 2.0 * outer / across_coarser);
   for (const Cells& cells : cells_) rings_.push_back({cells.extent(), {}});
-  rings_.front().as_they_are = true;
 }
 
 void Surroundings::look(const View& view, const Outlook& outlook) {

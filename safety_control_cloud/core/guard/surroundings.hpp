@@ -22,8 +22,7 @@ struct Band {
 struct Ring {
   double extent;  ///< [m] to each side of base_frame's origin, of the square that holds them
   Obstacles obstacles;
-  std::size_t returns = 0;   ///< that they stand for
-  bool as_they_are = false;  ///< they may lie inside the margin: what is left of the way out of it can be told
+  std::size_t returns = 0;  ///< that they stand for
 };
 
 /// What one look shows around the robot, from above, at its places when it was taken. One pass over the points, into

@@ -81,7 +81,7 @@ TEST(Given, ABaseThatWasToldNothingStands) {
   const Given given(slow);
   ASSERT_EQ(given.under_way(1.0).size(), 1u);
   EXPECT_TRUE(stands(given.under_way(1.0)[0]));
-  EXPECT_EQ(given.ways_since(0.0, 1.0).size(), 1u);
+  EXPECT_EQ(given.ways_since(given.reckoned_at(0.0), 1.0).size(), 1u);
 }
 
 TEST(Given, WhatIsUnderWayBrakesNoFasterThanItCan) {
@@ -168,8 +168,22 @@ TEST(Given, TheTrueWayLiesBetweenTheOnesThatItNames) {
   Given given(slow);
   for (int i = 0; i <= 10; ++i) given.note({0.5, 0.0, 0.0}, 1.0 + 0.02 * i);
   double farthest = 0.0;
-  for (const Pose2& way : given.ways_since(1.0, 1.2)) farthest = std::max(farthest, way.place.x);
+  for (const Pose2& way : given.ways_since(given.reckoned_at(1.0), 1.2)) farthest = std::max(farthest, way.place.x);
   EXPECT_NEAR(farthest, 0.1, 1e-6) << "who obeys at once";
+}
+
+TEST(Given, AWayIsNotForgottenHoweverLongAgoItWasGone) {
+  Given given(slow);
+  const auto then = given.reckoned_at(0.9);
+  for (int i = 0; i <= 50; ++i) given.note({0.5, 0.0, 0.2}, 1.0 + 0.02 * i);
+  for (int i = 1; i <= 1500; ++i) given.note({}, 2.0 + 0.02 * i);
+  const auto ways = given.ways_since(then, 32.0);
+  ASSERT_EQ(ways.size(), 4u);
+  const Pose2 at_once = way_of({0.5, 0.0, 0.2}, 1.02);
+  EXPECT_NEAR(ways[1].place.x, at_once.place.x, 1e-6);
+  EXPECT_NEAR(ways[1].heading, at_once.heading, 1e-6);
+  EXPECT_NEAR(ways[2].heading, 0.5 * at_once.heading, 1e-6);
+  EXPECT_GT(ways[3].place.x, at_once.place.x + 0.25) << "it braked late and slowly";
 }
 
 TEST(Command, IsScaledAsAWhole) {
