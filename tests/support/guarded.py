@@ -25,6 +25,7 @@ from safety_control_cloud.ros_session import node
 
 CAMERA_TO_FRONT = 0.265  # [m] by which a TurtleBot's round hull sticks out before its camera
 SETTLED = 3.0  # [s]
+IN_PASSING = 0.05  # [s] by which ~state may come later than the command that it tells of
 Clock = Callable[[], rospy.Time]
 
 
@@ -62,10 +63,11 @@ class Guarded:
         state = self._comes_to(fits, within)
         since = time.monotonic()
         time.sleep(lasts)
+        said = {bits(command) for _, command in after(since + 0.1, self.commands)}
+        time.sleep(IN_PASSING)
         assert self.process.exit_code is None, self.process.output()
         later = [state for _, state in after(since, self.states)]
         assert later and all(fits(state) for state in later), [s for s in later if not fits(s)][:1]
-        said = {bits(command) for _, command in after(since + 0.1, self.commands)}
         zero = {bits(Twist())}  # where the node is late, another of its threads says that
         assert said and said - zero <= {bits(state.given) for state in later}, "cmd_vel says what ~state says"
         return state
