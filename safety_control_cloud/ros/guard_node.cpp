@@ -85,18 +85,19 @@ GuardNode::~GuardNode() {
 }
 
 void GuardNode::on_wanted(const geometry_msgs::Twist& wanted, std::optional<double> stamp) {
-  gap_.beat(now(), control_.settings());
+  const Instant came = now();
+  gap_.beat(came, control_.settings());
   // What has no stamp, and waited in the socket while the process stood still, is told from nothing.
-  const bool may_be_old = !stamp && gap_.has_gone_on_within(control_.settings().command_timeout, now());
-  if (!may_be_old) control_.want(to_command(wanted), now(), stamp);
+  const bool may_be_old = !stamp && gap_.has_gone_on_within(control_.settings().command_timeout, came);
+  if (!may_be_old) control_.want(to_command(wanted), came, stamp);
   publish(answer());
 }
 
 void GuardNode::on_arrival(std::size_t sensor, const Arrival& arrival) {
-  gap_.beat(now(), control_.settings());
-  const ros::SteadyTime came = ros::SteadyTime::now();
+  const Instant came = now();
+  gap_.beat(came, control_.settings());
   header_ = arrival.header;
-  see(sensor, arrival);
+  see(sensor, arrival, came);
   const Guarded& decided = answer();
   const double decision_time = seconds_since(came), latency = age_of(header_);
   const bool changes = !same_bits(to_twist(decided.given), said_) || decided.cause != said_cause_;
@@ -105,15 +106,15 @@ void GuardNode::on_arrival(std::size_t sensor, const Arrival& arrival) {
 }
 
 /// The one border where an exception becomes a doubt: whatever went wrong, the robot stands.
-void GuardNode::see(std::size_t sensor, const Arrival& arrival) {
+void GuardNode::see(std::size_t sensor, const Arrival& arrival, const Instant& came) {
   const double stamp = arrival.header.stamp.toSec();
   Origin origin{stamp, OpticalFrame{}, arrival.source, arrival.header.frame_id};
-  control_.note_about(sensor, gap_.doubt_about(stamp, now(), control_.settings()));
+  control_.note_about(sensor, gap_.doubt_about(stamp, came, control_.settings()));
   try {
     origin.placing = base_.at(arrival.header);
-    control_.see(arrival.reading, origin, now(), sensor);
+    control_.see(arrival.reading, origin, came, sensor);
   } catch (const std::exception& problem) {
-    control_.see(Unreadable{problem.what()}, origin, now(), sensor);
+    control_.see(Unreadable{problem.what()}, origin, came, sensor);
   }
 }
 
@@ -152,7 +153,12 @@ void GuardNode::on_quiet() {
 }
 
 bool GuardNode::on_override(OverrideRequest& wish, OverrideResponse& response) {
-  const OverrideReply reply = control_.ask_override({wish.seconds, wish.speed, wish.even_in_doubt != 0}, now());
+  const Instant came = now();
+  gap_.beat(came, control_.settings());
+  const bool may_be_old = gap_.has_gone_on_within(control_.settings().command_timeout, came);
+  const OverrideReply reply =
+      may_be_old ? OverrideReply{false, "refused: this node had stood still until just now; ask again"}
+                 : control_.ask_override({wish.seconds, wish.speed, wish.even_in_doubt != 0}, came);
   response.success = reply.granted;
   response.message = reply.words;
   log_.warn("~override: " + reply.words);
@@ -165,20 +171,22 @@ const Guarded& GuardNode::answer() {
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     if (!channels_[i]->has_sent()) control_.note_about(i, lost_things_.nothing_seen(channels_[i]->why_nothing_came()));
   }
-  const Guarded& answer = control_.answer(now());
+  answered_at_ = now();
+  const Guarded& answer = control_.answer(answered_at_);
   diagnostics_.note_override(answer.override_left);
   return answer;
 }
 
-/// The next answer is due after a period, or once a sensor counts as silent or an override ends, if that is sooner.
+/// The next answer is due after a period, or once a sensor counts as silent or an override ends, if that is sooner:
+/// from when this one was given, for the process may have stood still since.
 void GuardNode::publish(const Guarded& answer) {
-  const double until_silent = control_.until_silent(now().steady);
+  const double until_silent = control_.until_silent(answered_at_.steady);
   double due = period();
   for (const double change : {until_silent, answer.override_left})
     if (change > 0.0) due = std::min(due, change);
   quiet_.in(due);
   said_ = to_twist(answer.given);
-  commands_.publish(said_, now().steady + due + slack);
+  commands_.publish(said_, answered_at_.steady + due + slack);
   reports_.say(answer, control_.settings(), header_);
   lost_things_.keep(answer.cause);
   said_cause_ = answer.cause;

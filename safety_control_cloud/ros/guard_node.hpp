@@ -47,7 +47,7 @@ class GuardNode : public Node {
   void on_quiet();
   bool on_override(OverrideRequest& wish, OverrideResponse& response);
 
-  void see(std::size_t sensor, const Arrival& arrival);
+  void see(std::size_t sensor, const Arrival& arrival, const Instant& came);
   const Guarded& answer();
   void publish(const Guarded& answer);
   double period() const;
@@ -65,6 +65,7 @@ class GuardNode : public Node {
   Reconfigure reconfigure_;
   Diagnostics diagnostics_;
   OwnGap gap_;
+  Instant answered_at_;
   std_msgs::Header header_;  ///< of the latest that came
   geometry_msgs::Twist said_;
   Cause said_cause_ = Cause::NoCloud;

@@ -44,29 +44,30 @@ SafetyNode::~SafetyNode() {
 }
 
 void SafetyNode::on_arrival(const Arrival& arrival) {
-  gap_.beat(now(), control_.settings());
-  const double silence = last_cloud_.isZero() ? 0.0 : seconds_since(last_cloud_);
+  const Instant came = now();
+  gap_.beat(came, control_.settings());
+  const double silence = came.steady - last_cloud_.value_or(came.steady);
   const bool silence_was_said = said_ == Cause::Silent;
-  if (silence > control_.settings().source_timeout && !silence_was_said) publish(control_.without_cloud(now()));
-  last_cloud_ = ros::SteadyTime::now();
+  if (silence > control_.settings().source_timeout && !silence_was_said) publish(control_.without_cloud(came), came);
+  last_cloud_ = came.steady;
   header_ = arrival.header;
-  const Decision decision = decide(arrival);
-  const double decision_time = seconds_since(last_cloud_), latency = age_of(header_);
-  publish(decision);
+  const Decision decision = decide(arrival, came);
+  const double decision_time = seconds_since(came), latency = age_of(header_);
+  publish(decision, came);
   if (decision.sight.crop) output_.publish(to_output(*decision.sight.crop, header_));
   diagnostics_.on_cloud(decision, header_, decision_time, latency);
 }
 
 /// The one border where an exception becomes a decision: whatever went wrong, the robot stands.
-Decision SafetyNode::decide(const Arrival& arrival) {
+Decision SafetyNode::decide(const Arrival& arrival, const Instant& came) {
   Origin origin{arrival.header.stamp.toSec(), OpticalFrame{}, arrival.source, arrival.header.frame_id};
-  control_.note_outside(doubt_about(arrival.header));
+  control_.note_outside(doubt_about(arrival.header, came));
   try {
     origin.placing = placing_of(arrival.header);
     const Crop crop = output_.getNumSubscribers() > 0 ? Crop::Keep : Crop::Skip;
-    return control_.decide(arrival.reading, origin, now(), crop);
+    return control_.decide(arrival.reading, origin, came, crop);
   } catch (const std::exception& problem) {
-    return control_.decide(Unreadable{problem.what()}, origin, now());
+    return control_.decide(Unreadable{problem.what()}, origin, came);
   }
 }
 
@@ -75,10 +76,11 @@ Placing SafetyNode::placing_of(const std_msgs::Header& cloud) const {
 }
 
 void SafetyNode::on_quiet() {
-  gap_.beat(now(), control_.settings());
+  const Instant woken = now();
+  gap_.beat(woken, control_.settings());
   control_.note_outside(doubt_without_cloud());
-  const Decision decision = control_.without_cloud(now());
-  publish(decision);
+  const Decision decision = control_.without_cloud(woken);
+  publish(decision, woken);
   diagnostics_.on_quiet(decision);
 }
 
@@ -90,25 +92,22 @@ std::optional<Doubt> SafetyNode::doubt_without_cloud() {
 }
 
 /// What makes a cloud no reason to drive, whatever it shows.
-std::optional<Doubt> SafetyNode::doubt_about(const std_msgs::Header& cloud) {
+std::optional<Doubt> SafetyNode::doubt_about(const std_msgs::Header& cloud, const Instant& came) {
   if (auto doubt = commands_.doubt()) return doubt;
-  return gap_.doubt_about(cloud.stamp.toSec(), now(), control_.settings());
+  return gap_.doubt_about(cloud.stamp.toSec(), came, control_.settings());
 }
 
-/// The next command is due after a period without one, or the moment the camera counts as silent if that is sooner.
-void SafetyNode::publish(const Decision& decision) {
-  const double period = 1.0 / control_.settings().publish_rate, until_silent = source_timeout_left();
+/// The next command is due after a period without one, or the moment the camera counts as silent if that is sooner:
+/// from when this one was decided, for the process may have stood still since.
+void SafetyNode::publish(const Decision& decision, const Instant& decided) {
+  const double period = 1.0 / control_.settings().publish_rate;
+  const double until_silent = last_cloud_ ? control_.settings().source_timeout - (decided.steady - *last_cloud_) : 0.0;
   quiet_.in(until_silent > 0.0 ? std::min(period, until_silent) : period);
   const double valid = until_silent > 0.0 ? until_silent : period;
-  commands_.publish(to_twist(decision), now().steady + valid + slack);
+  commands_.publish(to_twist(decision), decided.steady + valid + slack);
   reports_.say(decision, control_.settings(), header_);
   lost_things_.keep(decision.cause);
   said_ = decision.cause;
-}
-
-/// [s]; negative once the camera is silent.
-double SafetyNode::source_timeout_left() const {
-  return control_.settings().source_timeout - seconds_since(last_cloud_);
 }
 
 }  // namespace safety_control_cloud

@@ -38,12 +38,11 @@ class SafetyNode : public Node {
   void on_arrival(const Arrival& arrival);
   void on_quiet();
 
-  Decision decide(const Arrival& arrival);
+  Decision decide(const Arrival& arrival, const Instant& came);
   Placing placing_of(const std_msgs::Header& cloud) const;
   std::optional<Doubt> doubt_without_cloud();
-  std::optional<Doubt> doubt_about(const std_msgs::Header& cloud);
-  void publish(const Decision& decision);
-  double source_timeout_left() const;
+  std::optional<Doubt> doubt_about(const std_msgs::Header& cloud, const Instant& came);
+  void publish(const Decision& decision, const Instant& decided);
 
   Log log_;
   SafetyControl control_;
@@ -57,7 +56,7 @@ class SafetyNode : public Node {
   Reconfigure reconfigure_;
   Diagnostics diagnostics_;
   OwnGap gap_;
-  ros::SteadyTime last_cloud_;
+  std::optional<double> last_cloud_;  ///< [s] steady
   std_msgs::Header header_;
   Cause said_ = Cause::NoCloud;
 };

@@ -73,7 +73,7 @@ void Commands::publish(const Twist& wanted, double due) {
   const bool alone = !others_.doubt(now());
   const std::lock_guard<std::mutex> lock(saying_);
   due_ = due;
-  say(alone && !ended_ ? wanted : Twist());
+  say(alone && !ended_ && now() < due ? wanted : Twist());
 }
 
 std::optional<Doubt> Commands::doubt() { return others_.doubt(now()); }

@@ -34,7 +34,7 @@ class Commands {
   ~Commands();
 
   /// Says `wanted`, or zero if somebody else commands the robot too. If nothing is published until `due` [s, steady],
-  /// zero is said, and again from then on.
+  /// zero is said, and again from then on. What is late itself is zero too.
   void publish(const Twist& wanted, double due);
 
   /// Whether somebody else commands the robot.
