@@ -90,14 +90,20 @@ void GuardControl::see(const Reading& reading, const Origin& origin, const Insta
   if (odometry_.breaks() != breaks_) {
     if (out_of_sight_.holds_any(now.steady)) jumped_ = odometry_.goes_on_since();
     out_of_sight_.forget();
+    for (GuardSensor& one : sensors_) one.forget_poses();
     breaks_ = odometry_.breaks();
   }
-  const auto pose = look ? odometry_.pose_at(look->stamp) : std::nullopt;
+  if (!look) return;
+  const auto pose = odometry_.pose_at(look->stamp);
   if (pose) {
     out_of_sight_.note(sensor, *look, *pose, now.steady);
-  } else if (look) {
+  } else {
     out_of_sight_.note_unplaced(sensor);
   }
+  const bool is_any_lost = sensors_[sensor].note_pose(pose, now.steady);
+  if (!is_any_lost || !pose || !out_of_sight_.remembers()) return;
+  const auto known = out_of_sight_.resting(look->outlook, *pose, now.steady);
+  sensors_[sensor].explain(known, settings_.memory_time, now.steady);
 }
 
 void GuardControl::want(const Command& wanted, const Instant& now, std::optional<double> stamp) {
@@ -163,6 +169,9 @@ std::optional<Known> GuardControl::remembered_at(const Instant& now, const std::
   known.law = sensors_.front().law();
   known.law.min_points = 1;
   remembered_ = out_of_sight_.rings(*pose, guard_.reach(0.0, known.law), now.steady, shows);
+  // What the margin is kept for: half of it for where things are, the rest for what the robot does.
+  for (Ring& ring : remembered_)
+    ring.obstacles.widening = std::max(0.0, ring.obstacles.widening - 0.5 * settings_.margin);
   known.rings = &remembered_;
   known.ways = {Pose2{}};
   return known;

@@ -39,27 +39,21 @@ Surroundings surroundings_of(const Settings& own, const Guard& guard) {
 }
 
 /// Why a sensor that saw until now is lost where it looks, and only there.
-std::optional<Doubt> loss_in(const Answer& answer, std::size_t min_points) {
+std::optional<Doubt> loss_in(const Answer& answer, std::size_t min_points, bool is_explained) {
   if (const auto* doubt = std::get_if<Doubt>(&answer)) {
     return doubt->cause == Cause::Blind ? std::optional(*doubt) : std::nullopt;
   }
   const auto& [sight, loss] = std::get<Seen>(answer);
-  if (loss) return Doubt{loss->cause, loss->reason};
+  if (loss && !is_explained) return Doubt{loss->cause, loss->reason};
   if (sight.too_close > 0 && sight.too_close + sight.inside >= min_points)
     return Doubt{Cause::Seen, "something is too close to measure"};
   return std::nullopt;
 }
 
-Eye eye_in(const Reading& reading, const View& view, const Outlook& outlook) {
-  if (const auto* scan = std::get_if<ScanView>(&reading)) return eye_of(outlook, *scan);
+FieldOfView field_in(const View& view) {
   const auto field = field_of(view, Sense::Either);
   const auto* seen = std::get_if<FieldOfView>(&field);
-  return eye_of(outlook, seen ? *seen : FieldOfView{});
-}
-
-double lasts(const Reading& reading) {
-  const auto* scan = std::get_if<ScanView>(&reading);
-  return scan ? scan->lasts : 0.0;
+  return seen ? *seen : FieldOfView{};
 }
 
 }  // namespace
@@ -84,6 +78,7 @@ void GuardSensor::adopt(const Settings& settings, const Guard& guard) {
 std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origin, const Instant& now,
                                      const Given& given) {
   last_arrival_ = now.steady;
+  is_explained_ = false;
   face(reading, origin.placing);
   Origin facing = origin;
   if (const auto* placement = std::get_if<Placement>(&origin.placing))
@@ -111,16 +106,46 @@ Look GuardSensor::take(const Reading& reading, const Origin& origin, const Insta
   const View view = view_in(reading, straight_);
   around_.look(view, outlook);
   const double on_its_way = own_.stamp_tolerance > 0.0 ? std::max(0.0, now.ros - origin.stamp) : 0.0;
-  taken_ = Taken{now, on_its_way, lasts(reading), eye_in(reading, view, outlook),
-                 given.reckoned_at(now.steady - on_its_way)};
+  const auto* scan = std::get_if<ScanView>(&reading);
+  const FieldOfView field = scan ? FieldOfView{} : field_in(view);
+  const Eye eye = scan ? eye_of(outlook, *scan) : eye_of(outlook, field);
+  taken_ =
+      Taken{now, on_its_way, scan ? scan->lasts : 0.0, eye, field, outlook, given.reckoned_at(now.steady - on_its_way)};
   const double measures_from =
       own_.input == InputKind::Scan ? least_of_scan : own_.near_loss.blind_range + least_beyond;
   return {reading, view, outlook, now.ros - on_its_way, measures_from};
 }
 
+/// None too if more is lost than it tells of.
+const Loss* GuardSensor::loss() const {
+  const auto* seen = std::get_if<Seen>(&sensor_.answer());
+  const bool tells = seen && seen->loss && !(seen->loss->covered.empty() && seen->loss->spots.empty());
+  return tells ? &*seen->loss : nullptr;
+}
+
+bool GuardSensor::note_pose(const std::optional<Pose2>& pose, double now) {
+  const Loss* lost = loss();
+  lost_.note(lost ? lost->spots : std::vector<Point>{}, placed_, now);
+  placed_.reset();
+  if (pose) placed_ = LostSpots::Before{taken_->outlook, *pose};
+  return lost != nullptr;
+}
+
+void GuardSensor::explain(const std::vector<KnownPlace>& known, double time, double now) {
+  const Loss* lost = loss();
+  is_explained_ = lost && placed_ && lost_.are_among(known, placed_->pose, taken_->eye, time, now) &&
+                  hides(known, lost->covered, taken_->field, own_.near_loss.blind_range);
+}
+
+void GuardSensor::forget_poses() {
+  lost_.forget_places();
+  placed_.reset();
+  is_explained_ = false;
+}
+
 void GuardSensor::wait(const Instant& now) {
   sensor_.wait(now);
-  if (std::holds_alternative<Doubt>(sensor_.answer()) && !loss_in(sensor_.answer(), 1)) was_sound_ = false;
+  if (std::holds_alternative<Doubt>(sensor_.answer()) && !loss_in(sensor_.answer(), 1, false)) was_sound_ = false;
 }
 
 Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const Given& given) const {
@@ -128,7 +153,7 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
   known.sensor = about_.name;
   known.law = law_;
   if (const auto* doubt = std::get_if<Doubt>(&sensor_.answer())) known.doubt = *doubt;
-  if (auto lost = loss_in(sensor_.answer(), own_.corridor.min_points); lost && was_sound_) {
+  if (auto lost = loss_in(sensor_.answer(), own_.corridor.min_points, is_explained_); lost && was_sound_) {
     known.lost = std::move(lost);
     known.doubt.reset();
   }

@@ -6,6 +6,7 @@
 
 #include "guard/given.hpp"
 #include "guard/guard.hpp"
+#include "guard/known_places.hpp"
 #include "guard/odometry.hpp"
 #include "guard/out_of_sight.hpp"
 #include "guard/surroundings.hpp"
@@ -25,6 +26,15 @@ class GuardSensor {
 
   /// A reading has come, readable or not, at a robot that was `given` this. What it shows, if that is believed.
   std::optional<Look> see(const Reading& reading, const Origin& origin, const Instant& now, const Given& given);
+
+  /// What it saw last was seen with the robot there; none: nobody knows. Whether something is lost from its sight.
+  bool note_pose(const std::optional<Pose2>& pose, double now);
+
+  /// What is known to be around it there, and for how long such is kept [s]: if that is all that is lost, nothing is.
+  void explain(const std::vector<KnownPlace>& known, double time, double now);
+
+  /// Where the robot was is not known any more.
+  void forget_poses();
 
   /// None has come until `now`.
   void wait(const Instant& now);
@@ -58,9 +68,12 @@ class GuardSensor {
     double time_to_arrive;  ///< [s] since its stamp, as far as that is believed
     double lasts;           ///< [s] for which it was being taken after its stamp
     Eye eye;
+    FieldOfView field;
+    Outlook outlook;
     Given::Reckoned from;  ///< where the robot was then
   };
 
+  const Loss* loss() const;
   void face(const Reading& reading, const Placing& placing);
   Look take(const Reading& reading, const Origin& origin, const Instant& now, const Given& given);
   std::vector<Pose2> ways_since_look(const Instant& now, const Odometry& odometry, const Given& given) const;
@@ -73,6 +86,9 @@ class GuardSensor {
   Sensor sensor_;
   Surroundings around_;
   std::optional<Taken> taken_;
+  std::optional<LostSpots::Before> placed_;  ///< the latest that was believed
+  LostSpots lost_;
+  bool is_explained_ = false;           ///< what is lost in it
   bool was_sound_ = false;              ///< nothing but what it cannot see any more speaks against it
   std::optional<double> last_arrival_;  ///< [s] steady
   std::optional<Doubt> outside_;

@@ -11,13 +11,15 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double cell = 0.015, layer = 0.1;                     ///< [m] across and up
-constexpr std::size_t columns = 107, rows = 80;                 ///< of a picture that are looked at, at most
-constexpr std::size_t most = 30000;                             ///< places
-constexpr std::uint8_t believed = 2;                            ///< looks that show a place, or what is behind it
-constexpr std::array<double, 3> displaced = {0.03, 0.08, 0.2};  ///< [m] places are told apart by these, and lost beyond
-constexpr double absent_for = 1.25;                             ///< [s] without a return where there would be one
-constexpr double own_size = 0.01;  ///< [m] by which a return may lie beside the place of its cell
+constexpr double cell = 0.015, layer = 0.1;      ///< [m] across and up
+constexpr std::size_t columns = 107, rows = 80;  ///< of a picture that are looked at, at most
+constexpr std::size_t most = 30000;              ///< places
+constexpr std::uint8_t believed = 2;             ///< looks that show a place, or what is behind it
+/// [m] Places are told apart by these, and lost beyond.
+constexpr std::array<double, 7> displaced = {0.015, 0.02, 0.03, 0.045, 0.07, 0.12, 0.2};
+constexpr double absent_for = 1.25;  ///< [s] without a return where there would be one
+constexpr double rests_for = 0.3;    ///< [s] between two looks that show the same place
+constexpr double own_size = 0.01;    ///< [m] by which a return may lie beside the place of its cell
 
 std::uint64_t key_of(const Point2& place, double height) {
   const auto part = [](double value) { return static_cast<std::uint64_t>(std::llround(value)) & 0x1fffffU; };
@@ -35,7 +37,7 @@ Point in_axes(const Point2& place, float height) {
 
 void OutOfSight::note(std::size_t sensor, const Look& look, const Pose2& pose, double now) {
   travel(pose);
-  if (limits_.distance <= 0.0 || limits_.time <= 0.0) return places_.clear();
+  if (!remembers()) return places_.clear();
   latest_[sensor] = ++look_;
   const auto is_over = [&](const Place& place) { return now - place.seen_at > limits_.time; };
   for (auto it = places_.begin(); it != places_.end();) it = is_over(it->second) ? places_.erase(it) : std::next(it);
@@ -76,13 +78,15 @@ void OutOfSight::keep(std::size_t sensor, const Point2& place, float height, dou
   const std::uint64_t key = key_of(place, height);
   const auto found = places_.find(key);
   if (found == places_.end() && places_.size() >= most) return;
-  Place kept{static_cast<float>(place.x), static_cast<float>(place.y), height, now, distance_, angle_, sensor, look_};
+  Place kept{
+      static_cast<float>(place.x), static_cast<float>(place.y), height, now, now, distance_, angle_, sensor, look_};
   if (found == places_.end()) {
     places_.emplace(key, kept);
     return;
   }
   const Place& before = found->second;
   const int looks = before.looks + (before.look == look_ ? 0 : 1);
+  kept.first_seen = before.first_seen;
   kept.looks = static_cast<std::uint8_t>(std::min<int>(looks, believed));
   found->second = kept;
 }
@@ -122,25 +126,40 @@ bool OutOfSight::holds_any(double now) const {
   return std::any_of(places_.begin(), places_.end(), [&](const auto& entry) { return counts(entry.second, now); });
 }
 
-std::vector<Ring> OutOfSight::rings(const Pose2& pose, double reach, double now, const std::vector<bool>& shows) const {
-  std::vector<Ring> rings;
-  for (std::size_t i = 0; i < displaced.size(); ++i) rings.push_back({reach, {}});
+template <class Visit>
+void OutOfSight::for_each(const Pose2& pose, double now, Visit visit) const {
   const Pose2 since = pose_ ? between(*pose_, pose) : Pose2{};
   const double distance = distance_ + length_of(since.place), angle = angle_ + std::abs(since.heading);
   for (const auto& [key, place] : places_) {
-    const bool is_shown = shows[place.sensor] && latest_.at(place.sensor) == place.look;
-    if (!counts(place, now) || is_shown) continue;
+    if (!counts(place, now)) continue;
     const Point2 here = seen_after(pose, {place.x, place.y});
     const double range = length_of(here);
     const double off = own_size + limits_.drift * (distance - place.distance + (angle - place.angle) * range);
-    const auto fits =
-        std::find_if(displaced.begin(), displaced.end(), [&](double most_off) { return off <= most_off; });
-    if (range > reach || fits == displaced.end()) continue;
-    Ring& ring = rings[static_cast<std::size_t>(fits - displaced.begin())];
-    ring.obstacles.points.push_back(here);
-    ring.obstacles.widening = std::max(ring.obstacles.widening, off);
-    ++ring.returns;
+    if (off <= displaced.back()) visit(place, Here{here, range, off});
   }
+}
+
+std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Pose2& pose, double now) const {
+  std::vector<KnownPlace> places;
+  for_each(pose, now, [&](const Place& place, const Here& here) {
+    if (place.seen_at - place.first_seen < rests_for) return;
+    places.push_back({here.place, camera.seen_from_camera(in_axes(here.place, place.z)), here.off});
+  });
+  return places;
+}
+
+std::vector<Ring> OutOfSight::rings(const Pose2& pose, double reach, double now, const std::vector<bool>& shows) const {
+  std::vector<Ring> rings;
+  for (std::size_t i = 0; i < displaced.size(); ++i) rings.push_back({reach, {}});
+  for_each(pose, now, [&](const Place& place, const Here& here) {
+    const bool is_shown = shows[place.sensor] && latest_.at(place.sensor) == place.look;
+    if (is_shown || here.range > reach) return;
+    const auto fits = std::lower_bound(displaced.begin(), displaced.end(), here.off);
+    Ring& ring = rings[static_cast<std::size_t>(fits - displaced.begin())];
+    ring.obstacles.points.push_back(here.place);
+    ring.obstacles.widening = std::max(ring.obstacles.widening, here.off);
+    ++ring.returns;
+  });
   return rings;
 }
 

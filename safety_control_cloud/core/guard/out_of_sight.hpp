@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../input/reading.hpp"
+#include "known_places.hpp"
 #include "pose.hpp"
 #include "seen_at.hpp"
 #include "surroundings.hpp"
@@ -52,8 +53,15 @@ class OutOfSight {
 
   void forget() { *this = OutOfSight(limits_); }
 
-  /// Whether anything is kept.
+  /// Whether anything would be kept.
+  bool remembers() const { return limits_.distance > 0.0 && limits_.time > 0.0; }
+
+  /// Whether anything is.
   bool holds_any(double now) const;
+
+  /// What is kept and was seen to rest, around a robot at `pose`, and as a camera there has it. What walks leaves a
+  /// trail of places, of which each was shown for a moment.
+  std::vector<KnownPlace> resting(const Outlook& camera, const Pose2& pose, double now) const;
 
   /// What is kept and not shown by the latest look of its sensor, around a robot at `pose`, out to `reach` [m]; by how
   /// much it may have been displaced meanwhile. `shows`: of each sensor, whether its latest look is believed still.
@@ -63,6 +71,7 @@ class OutOfSight {
   struct Place {
     float x, y, z;           ///< [m] in the resting frame, the height above base_frame
     double seen_at;          ///< [s] steady
+    double first_seen;       ///< [s] steady
     double distance, angle;  ///< [m], [rad] that the robot had travelled then
     std::size_t sensor;
     std::uint64_t look;  ///< the latest that showed it
@@ -70,7 +79,15 @@ class OutOfSight {
     std::optional<double> absent_since = std::nullopt;  ///< [s] steady
   };
 
+  /// A place as it lies around the robot now, and by how much it may have been displaced meanwhile.
+  struct Here {
+    Point2 place;
+    double range, off;  ///< [m]
+  };
+
   bool counts(const Place& place, double now) const;
+  template <class Visit>
+  void for_each(const Pose2& pose, double now, Visit visit) const;
   void travel(const Pose2& pose);
   void keep_near(std::size_t sensor, const Look& look, const Pose2& pose, double now);
   void keep(std::size_t sensor, const Point2& place, float height, double now);

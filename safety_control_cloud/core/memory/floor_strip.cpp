@@ -118,7 +118,9 @@ bool FloorStrip::is_seen_again(std::size_t column) const {
   return true;
 }
 
-bool FloorStrip::is_covered() const {
+std::vector<Span> FloorStrip::covered() const {
+  std::vector<Span> covered;
+  const auto columns = static_cast<double>(shown_.size());
   const std::size_t post = std::max<std::size_t>(2, shown_.size() / post_share_of_width);
   const auto blank_in = [this](std::size_t i) -> std::size_t {
     return above_border_ && expected_[i] < certain ? 0 : blank_[i];
@@ -128,11 +130,12 @@ bool FloorStrip::is_covered() const {
     blank += blank_in(i);
     other += strip_rows_ - blank_in(i);
     if (i < first_ + post - 1) continue;
-    if (blank >= 2 * post && blank >= 3 * other) return true;
+    if (blank >= 2 * post && blank >= 3 * other)
+      covered.push_back({static_cast<double>(i + 1 - post) / columns, static_cast<double>(i + 1) / columns});
     blank -= blank_in(i + 1 - post);
     other -= strip_rows_ - blank_in(i + 1 - post);
   }
-  return false;
+  return covered;
 }
 
 }  // namespace safety_control_cloud

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "loss.hpp"
 #include "near_ground.hpp"
 
 namespace safety_control_cloud {
@@ -30,9 +31,10 @@ class FloorStrip {
   /// and what comes nearer moves away from the middle of the picture.
   bool is_seen_again(std::size_t column) const;
 
-  /// Whether the strip is blank over the width of a post: something stands nearer than the camera can see. Above rows
-  /// that return nothing only where the floor has been seen before: such a camera leaves gaps beside it too.
-  bool is_covered() const;
+  /// Where the strip is blank over the width of a post: something stands nearer than the camera can see. Above rows
+  /// that return nothing only where the floor has been seen before: such a camera leaves gaps beside it too. From left
+  /// to right; spans may overlap.
+  std::vector<Span> covered() const;
 
  private:
   using Code = NearGround::Code;

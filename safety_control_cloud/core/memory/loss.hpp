@@ -4,11 +4,17 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "../doubt/cause.hpp"
 #include "../look/sight.hpp"
 
 namespace safety_control_cloud {
+
+/// Of a picture's width, from 0 at its left to 1.
+struct Span {
+  double from, to;
+};
 
 /// Something near that is not among the returns in the corridor.
 struct Loss {
@@ -18,6 +24,10 @@ struct Loss {
   std::string reason;
   std::optional<double> since = {};  ///< [s] steady, if it is out of sight
   std::string hint = {};             ///< what would free the robot, if it is
+
+  // All that is lost, for who knows better where it is; nothing if that is not all.
+  std::vector<Span> covered = {};  ///< where the near floor is hidden
+  std::vector<Point> spots = {};   ///< of things, where they were seen last, in the cloud's frame [m]
 };
 
 /// What nobody sees any more has a distance [m], but no place.

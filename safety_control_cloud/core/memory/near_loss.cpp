@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "../look/look.hpp"
 #include "kept.hpp"
@@ -101,11 +102,17 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
   ground_.look_at(picture, outlook, near_distance());
   remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels});
   const auto low = low_.judge(ground_, picture, outlook);
-  if (floor_.is_covered()) {
-    return Loss{Cause::NearLoss, std::nullopt, true,
+  auto loss = nearer(low, lost(outlook));
+  auto covered = floor_.covered();
+  if (!covered.empty()) {
+    loss = Loss{Cause::NearLoss, std::nullopt, true,
                 "the near floor is hidden by something nearer than the camera can see"};
   }
-  return nearer(low, lost(outlook));
+  if (loss && !low) {
+    loss->covered = std::move(covered);
+    loss->spots = lost_spots(outlook);
+  }
+  return loss;
 }
 
 std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight, const Outlook& outlook) {
@@ -179,16 +186,28 @@ void NearLoss::move_to(const Frame& frame) {
   floor_ = FloorStrip{};
 }
 
+/// In the corridor, and near enough to count.
+bool NearLoss::is_lost(const Remembered& thing, const Spot& spot, const Outlook& outlook) const {
+  const Point place = placed(spot.point, outlook);
+  return outlook.corridor.holds(place) && (thing.vanished || place.z - outlook.camera().z < kept_distance());
+}
+
+std::vector<Point> NearLoss::lost_spots(const Outlook& outlook) const {
+  std::vector<Point> spots;
+  for (const Remembered& thing : things_.things())
+    for (const Spot& spot : thing.lost)
+      if (is_lost(thing, spot, outlook)) spots.push_back(spot.point);
+  return spots;
+}
+
 std::optional<Loss> NearLoss::lost(const Outlook& outlook) const {
   std::optional<Loss> nearest;
-  const Point camera = outlook.camera();
   for (const Remembered& thing : things_.things()) {
     double size = 0.0, distance = std::numeric_limits<double>::infinity();
     for (const Spot& spot : thing.lost) {
-      const Point place = placed(spot.point, outlook);
-      if (!outlook.corridor.holds(place) || !(thing.vanished || place.z - camera.z < kept_distance())) continue;
+      if (!is_lost(thing, spot, outlook)) continue;
       size += double{spot.share};
-      distance = std::min(distance, double{place.z});
+      distance = std::min(distance, double{placed(spot.point, outlook).z});
     }
     if (size == 0.0) continue;
     const Loss loss{Cause::NearLoss, remembered_at(distance), !thing.is_seen() || 2.0 * size > thing.size,

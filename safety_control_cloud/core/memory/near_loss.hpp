@@ -66,6 +66,8 @@ class NearLoss {
   std::optional<Loss> judge_points(const View& view, const Sight& sight, const Outlook& outlook);
   void remember(const NearSearch& search);
   std::optional<Loss> lost(const Outlook& outlook) const;
+  bool is_lost(const Remembered& thing, const Spot& spot, const Outlook& outlook) const;
+  std::vector<Point> lost_spots(const Outlook& outlook) const;
   void move_to(const Frame& frame);
   void write_down(bool lost, double now);
   double kept_distance() const;

@@ -6,59 +6,17 @@
 #include <cmath>
 #include <random>
 
-#include "guarded_robot.hpp"
+#include "robot_with_odometry.hpp"
 
 namespace safety_control_cloud {
 namespace {
-
-constexpr double quarter = 1.5707963267948966;
-
-Settings remembering(double distance = 1.5) {
-  Settings settings = guard_settings();
-  settings.memory_distance = distance;
-  settings.unseen_speed = 0.7;
-  return settings;
-}
-
-/// A robot with odometry that turns and stands where it is put, before a camera that shows what it is given.
-struct Robot : GuardedRobot {
-  explicit Robot(const Settings& settings = remembering()) : GuardedRobot(settings) {}
-
-  Pose2 pose;
-  bool has_odometry = true;
-
-  void passes(double seconds, const Scene& scene) {
-    for (double t = 0.0; t < seconds; t += 0.05) {
-      pass(0.05);
-      if (has_odometry) control.note_odometry(now.ros, pose, {});
-      see(scene);
-      wants({});
-    }
-  }
-
-  /// Slowly enough to be believed.
-  void turns(double angle, const Scene& scene) {
-    const int steps = 40;
-    for (int i = 0; i < steps; ++i) {
-      pose.heading += angle / steps;
-      passes(0.05, scene);
-    }
-  }
-
-  const Guarded& asked(const Twist2& twist) {
-    passes(0.5, hall);
-    return wants(twist);
-  }
-
-  const Scene hall;
-};
 
 const Scene with_post({post(0.9f, 0.0f)});
 const Twist2 right{0.0, -0.5, 0.0}, left{0.0, 0.5, 0.0};
 
 TEST(OutOfSight, WhatHasLeftThePictureStaysWhereItWas) {
-  Robot robot, to_the_left, without(remembering(0.0));
-  for (Robot* one : {&robot, &to_the_left, &without}) {
+  RobotWithOdometry robot, to_the_left, without(remembering(0.0));
+  for (RobotWithOdometry* one : {&robot, &to_the_left, &without}) {
     one->passes(0.5, with_post);
     one->turns(quarter, one->hall);
   }
@@ -73,7 +31,7 @@ TEST(OutOfSight, WhatHasLeftThePictureStaysWhereItWas) {
 }
 
 TEST(OutOfSight, WhatIsSeenThroughIsForgotten) {
-  Robot robot;
+  RobotWithOdometry robot;
   robot.passes(0.5, with_post);
   robot.turns(quarter, robot.hall);
   robot.turns(-quarter, robot.hall);
@@ -85,7 +43,7 @@ TEST(OutOfSight, WhatIsSeenThroughIsForgotten) {
 /// Beyond the camera's range nothing returns from behind it.
 TEST(OutOfSight, WhereNothingReturnsAnyMoreItIsForgottenAfterAWhile) {
   for (const double seconds : {0.5, 2.0}) {
-    Robot robot;
+    RobotWithOdometry robot;
     robot.passes(0.5, with_post);
     robot.passes(seconds, robot.hall);
     robot.turns(quarter, robot.hall);
@@ -94,7 +52,7 @@ TEST(OutOfSight, WhereNothingReturnsAnyMoreItIsForgottenAfterAWhile) {
 }
 
 TEST(OutOfSight, ItsTimeEnds) {
-  Robot robot;
+  RobotWithOdometry robot;
   robot.passes(0.5, with_post);
   robot.turns(quarter, robot.hall);
   robot.passes(26.0, robot.hall);
@@ -104,14 +62,14 @@ TEST(OutOfSight, ItsTimeEnds) {
 }
 
 TEST(OutOfSight, WhatWasFartherIsNotKept) {
-  Robot robot;
+  RobotWithOdometry robot;
   robot.passes(0.5, Scene({post(1.8f, 0.0f)}));
   robot.turns(quarter, robot.hall);
   EXPECT_EQ(robot.asked({0.0, -0.7, 0.0}).factor, 1.0);
 }
 
 TEST(OutOfSight, OneStrayReturnIsNothing) {
-  Robot robot;
+  RobotWithOdometry robot;
   robot.passes(0.05, with_post);
   robot.turns(quarter, robot.hall);
   EXPECT_EQ(robot.asked({0.0, -0.7, 0.0}).factor, 1.0) << robot.wants(right).reason;
@@ -120,7 +78,7 @@ TEST(OutOfSight, OneStrayReturnIsNothing) {
 /// As a stereo camera gives them where something is too near for it.
 TEST(OutOfSight, StrayReturnsDoNotEraseIt) {
   std::mt19937 random(7);
-  Robot robot;
+  RobotWithOdometry robot;
   const auto board_at = [](float distance) { return Scene({{distance, -0.3f, 0.3f, -0.3f, 0.25f}}); };
   robot.passes(0.5, board_at(0.6f));
   for (int i = 0; i < 10; ++i) {
@@ -134,7 +92,7 @@ TEST(OutOfSight, StrayReturnsDoNotEraseIt) {
 }
 
 TEST(OutOfSight, AfterAJumpOfOdometryItStandsUntilEachSensorHasLooked) {
-  Robot robot;
+  RobotWithOdometry robot;
   robot.passes(0.5, with_post);
   robot.turns(quarter, robot.hall);
   robot.pose.place.x += 3.0;
@@ -148,7 +106,7 @@ TEST(OutOfSight, AfterAJumpOfOdometryItStandsUntilEachSensorHasLooked) {
 }
 
 TEST(OutOfSight, WithoutOdometryThatWasThereItStandsUntilTheirTimeEnds) {
-  Robot robot;
+  RobotWithOdometry robot;
   robot.passes(0.5, with_post);
   robot.turns(quarter, robot.hall);
   robot.has_odometry = false;
@@ -158,14 +116,14 @@ TEST(OutOfSight, WithoutOdometryThatWasThereItStandsUntilTheirTimeEnds) {
 }
 
 TEST(OutOfSight, WhoNeverHadOdometryDrivesByWhatHeSees) {
-  Robot robot;
+  RobotWithOdometry robot;
   robot.has_odometry = false;
   robot.passes(0.5, with_post);
   EXPECT_EQ(robot.asked(left).factor, 1.0);
 }
 
 TEST(OutOfSight, ResetForgets) {
-  Robot robot;
+  RobotWithOdometry robot;
   robot.passes(0.5, with_post);
   robot.turns(quarter, robot.hall);
   robot.control.forget_losses();

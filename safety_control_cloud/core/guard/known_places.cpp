@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "known_places.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <utility>
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr std::size_t parts = 320;     ///< of the picture's width
+constexpr std::size_t most_left = 6;   ///< of them: half of what covers the floor at all (memory/floor_strip.cpp)
+constexpr double nearest = 0.05;       ///< [m] ahead of a camera: nearer, directions mean nothing
+constexpr double beyond_range = 0.05;  ///< [m] at which a camera may still be blind
+constexpr double own_size = 0.01;      ///< [m] to each side: one of several places, of which not every one is kept
+constexpr double lowest_rows = 0.3;    ///< of the picture: what ends above them hides no near floor
+constexpr double beside = 0.04;        ///< [m] a spot may lie by as much to twice as much beside what is known of it
+constexpr double nearly_all = 0.9;     ///< of the spots: some lie in the air behind an edge
+
+constexpr double most_off = 0.05;  ///< [m] what may lie farther from its place tells nothing
+
+using Parts = std::array<bool, parts>;
+using Cell = std::pair<long, long>;
+
+Cell cell_of(const Point2& place) { return {std::lround(place.x / beside), std::lround(place.y / beside)}; }
+
+std::size_t part_at(double share) {
+  return static_cast<std::size_t>(std::clamp(std::floor(share * parts), 0.0, static_cast<double>(parts - 1)));
+}
+
+void mark(Parts& marked, double from, double to, bool value) {
+  if (to < 0.0 || from > 1.0) return;
+  std::fill(marked.begin() + part_at(from), marked.begin() + part_at(to) + 1, value);
+}
+
+bool is_hiding(const KnownPlace& known, const FieldOfView& field, double blind_range) {
+  const Point& place = known.seen_from_camera;
+  if (!(place.z > nearest && place.z < blind_range + beyond_range && known.off <= most_off)) return false;
+  return place.y / place.z >= field.bottom - lowest_rows * (field.bottom - field.top);
+}
+
+}  // namespace
+
+bool hides(const std::vector<KnownPlace>& known, const std::vector<Span>& covered, const FieldOfView& field,
+           double blind_range) {
+  if (covered.empty()) return true;
+  if (field.bottom <= field.top || field.right == field.left) return false;
+  Parts hidden{};
+  for (const Span& span : covered) mark(hidden, span.from, span.to, true);
+  for (const KnownPlace& one : known) {
+    if (!is_hiding(one, field, blind_range)) continue;
+    const Point& place = one.seen_from_camera;
+    const double across = (double{place.x} / place.z - field.left) / (field.right - field.left);
+    const double half = (own_size + one.off) / place.z / std::abs(field.right - field.left);
+    mark(hidden, across - half, across + half, false);
+  }
+  return static_cast<std::size_t>(std::count(hidden.begin(), hidden.end(), true)) < most_left;
+}
+
+void LostSpots::note(const std::vector<Point>& lost, const std::optional<Before>& before, double now) {
+  decltype(spots_) spots;
+  for (const Point& spot : lost) {
+    const std::array<float, 3> seen{spot.x, spot.y, spot.z};
+    if (const auto found = spots_.find(seen); found != spots_.end()) {
+      spots.insert(*found);
+      continue;
+    }
+    std::optional<Point2> place;
+    if (before) {
+      const Point there = before->camera.placed(spot.x, spot.y, spot.z);
+      place = beyond(before->pose, {{there.z, -there.x}, 0.0}).place;
+    }
+    spots[seen] = {place, now};
+  }
+  spots_ = std::move(spots);
+}
+
+void LostSpots::forget_places() {
+  for (auto& [seen, lost] : spots_) lost.place.reset();
+}
+
+bool LostSpots::are_among(const std::vector<KnownPlace>& known, const Pose2& pose, const Eye& eye, double time,
+                          double now) const {
+  std::set<Cell> filled;
+  for (const KnownPlace& one : known) {
+    if (one.off <= most_off) filled.insert(cell_of(one.place));
+  }
+  const auto is_known = [&](const auto& spot) {
+    const Lost& lost = spot.second;
+    if (!lost.place) return false;
+    const Point2 here = seen_after(pose, *lost.place);
+    const auto [x, y] = cell_of(here);
+    for (const long ahead : {-1, 0, 1})
+      for (const long left : {-1, 0, 1})
+        if (filled.count({x + ahead, y + left}) > 0) return true;
+    return now - lost.since > time && !eye.sees(here);
+  };
+  const auto known_ones = static_cast<double>(std::count_if(spots_.begin(), spots_.end(), is_known));
+  return known_ones >= nearly_all * static_cast<double>(spots_.size());
+}
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "../look/field_of_view.hpp"
+#include "../look/outlook.hpp"
+#include "../memory/loss.hpp"
+#include "eye.hpp"
+#include "pose.hpp"
+
+namespace safety_control_cloud {
+
+/// Something that rests, and of which one knows where it is now.
+struct KnownPlace {
+  Point2 place;            ///< [m] in base_frame
+  Point seen_from_camera;  ///< [m] in the frame of the camera that asks
+  double off;              ///< [m] by which it may be displaced
+};
+
+/// Whether what is known to stand nearer than the camera can see (`blind_range` [m] ahead of it) hides all of the near
+/// floor that is `covered`: then nothing else needs to stand there. Less than half a post's width may be left over.
+bool hides(const std::vector<KnownPlace>& known, const std::vector<Span>& covered, const FieldOfView& field,
+           double blind_range);
+
+/// Where in a frame that rests the things are that a camera has lost from sight.
+class LostSpots {
+ public:
+  /// How the camera was placed, and where the robot was, when they were shown last.
+  struct Before {
+    Outlook camera;
+    Pose2 pose;
+  };
+
+  /// They are lost now, in the frame of the cloud that showed them last. Those that were not lost before were shown by
+  /// the look before; none: nobody knows from where. `now` [s] steady.
+  void note(const std::vector<Point>& lost, const std::optional<Before>& before, double now);
+
+  /// Where they are, nobody knows any more: the frame is another one.
+  void forget_places();
+
+  /// Whether nearly all of them are among what is known around a robot at `pose`, or have been lost for `time` [s] and
+  /// lie elsewhere than where the eye looks.
+  bool are_among(const std::vector<KnownPlace>& known, const Pose2& pose, const Eye& eye, double time,
+                 double now) const;
+
+ private:
+  struct Lost {
+    std::optional<Point2> place;
+    double since;  ///< [s]
+  };
+
+  std::map<std::array<float, 3>, Lost> spots_;  ///< by where they were seen
+};
+
+}  // namespace safety_control_cloud

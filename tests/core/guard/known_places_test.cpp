@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../../safety_control_cloud/core/guard/known_places.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "robot_with_odometry.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+const FieldOfView xtion_field{-0.577, 0.577, -0.433, 0.433};
+
+/// A place that stands on the floor, so far ahead of the camera and to its right.
+KnownPlace standing(float ahead, float right, double off = 0.01) { return {{}, Point(right, 0.35f * ahead, ahead), off}; }
+
+std::vector<KnownPlace> standing_across(float ahead, float from, float to, double off = 0.01) {
+  std::vector<KnownPlace> known;
+  for (float right = from; right <= to; right += 0.01f) known.push_back(standing(ahead, right, off));
+  return known;
+}
+
+TEST(Hides, WhatIsKnownToStandThereAndNothingElse) {
+  const std::vector<Span> middle{{0.4, 0.6}};
+  EXPECT_TRUE(hides(standing_across(0.36f, -0.05f, 0.05f), middle, xtion_field, 0.4));
+  EXPECT_FALSE(hides(standing_across(0.36f, -0.05f, 0.0f), middle, xtion_field, 0.4)) << "half of it";
+  EXPECT_FALSE(hides(standing_across(0.36f, 0.1f, 0.2f), middle, xtion_field, 0.4)) << "beside it";
+  EXPECT_FALSE(hides(standing_across(0.5f, -0.1f, 0.1f), middle, xtion_field, 0.4)) << "there it would return";
+  EXPECT_FALSE(hides(standing_across(0.36f, -0.05f, 0.05f, 0.1), middle, xtion_field, 0.4)) << "it may be anywhere";
+  EXPECT_FALSE(hides({}, middle, xtion_field, 0.4));
+  EXPECT_TRUE(hides({}, {}, xtion_field, 0.4)) << "nothing is hidden";
+}
+
+TEST(Hides, NoFloorIsHiddenByWhatHangsAboveIt) {
+  std::vector<KnownPlace> board = standing_across(0.36f, -0.05f, 0.05f);
+  for (KnownPlace& place : board) place.seen_from_camera.y = -0.1f;
+  EXPECT_FALSE(hides(board, {{0.4, 0.6}}, xtion_field, 0.4));
+}
+
+/// A robot that drives up to what is so far ahead of its camera until that is too near for it.
+void drives_up(RobotWithOdometry& robot, Scene (*at)(float)) {
+  constexpr float first = 0.8f, last = 0.36f, step = 0.01f;
+  for (float ahead = first; ahead >= last; ahead -= step) {
+    robot.passes(0.05, at(ahead));
+    robot.pose.place.x += double{step};
+  }
+  robot.pose.place.x -= double{step};
+  robot.passes(2.0, at(last));  // until it stands
+}
+
+Scene post_at(float ahead) { return Scene({post(ahead, 0.02f, 0.06f)}); }
+Scene board_at(float ahead) { return Scene({{ahead, -0.3f, 0.3f, -0.3f, 0.05f}}); }
+
+const Twist2 ahead{0.3, 0.0, 0.0}, about{0.0, 0.0, 1.0}, away{-0.05, 0.0, 0.3};
+
+TEST(LostSpots, WhatIsTooNearClosesOnlyTheWayThereIfItsPlaceIsKnown) {
+  for (const auto& at : {post_at, board_at}) {
+    RobotWithOdometry robot, without;
+    without.has_odometry = false;
+    for (RobotWithOdometry* one : {&robot, &without}) drives_up(*one, at);
+    EXPECT_EQ(robot.wants(about).factor, 1.0) << robot.wants(about).reason;
+    EXPECT_EQ(robot.wants(away).factor, 1.0) << robot.wants(away).reason;
+    const Guarded& answer = robot.wants(ahead);
+    EXPECT_LT(answer.factor, 0.8);
+    EXPECT_EQ(answer.sensor, "memory");
+    EXPECT_NEAR(answer.point->x, 0.36 - 0.087, 0.03);
+    EXPECT_EQ(without.wants(about).cause, Cause::NearLoss);
+    EXPECT_EQ(without.wants(about).factor, 0.0);
+  }
+}
+
+TEST(LostSpots, WhatElseHidesTheFloorIsUnknown) {
+  RobotWithOdometry robot;
+  drives_up(robot, post_at);
+  ASSERT_EQ(robot.wants(about).factor, 1.0);
+  robot.passes(0.2, Scene({post(0.36f, 0.02f, 0.06f), post(0.3f, -0.1f)}));
+  EXPECT_EQ(robot.wants(about).cause, Cause::NearLoss);
+  EXPECT_EQ(robot.wants(about).factor, 0.0);
+  robot.passes(0.2, post_at(0.36f));
+  EXPECT_EQ(robot.wants(about).factor, 1.0) << robot.wants(about).reason;
+}
+
+/// Whoever walks through leaves places behind that were shown for a moment.
+TEST(LostSpots, WhatWalkedIntoTheBlindZoneIsNotKnownByItsTrail) {
+  RobotWithOdometry robot;
+  robot.passes(0.5, robot.hall);
+  for (float ahead = 1.2f; ahead >= 0.36f; ahead -= 0.03f) robot.passes(0.05, post_at(ahead));
+  robot.passes(1.0, post_at(0.3f));
+  EXPECT_EQ(robot.wants(about).cause, Cause::NearLoss);
+  EXPECT_EQ(robot.wants(about).factor, 0.0);
+}
+
+TEST(LostSpots, AfterAJumpOfOdometryNobodyKnowsWhereTheyAre) {
+  RobotWithOdometry robot;
+  drives_up(robot, post_at);
+  ASSERT_EQ(robot.wants(about).factor, 1.0);
+  robot.pose.place.y += 2.0;
+  robot.passes(0.05, post_at(0.36f));
+  EXPECT_EQ(robot.wants(about).factor, 0.0);
+  robot.passes(1.0, post_at(0.36f));
+  EXPECT_EQ(robot.wants(about).cause, Cause::NearLoss);
+  robot.pose.place.y -= 2.0;
+  robot.passes(1.0, post_at(0.36f));
+  EXPECT_EQ(robot.wants(about).cause, Cause::NearLoss) << "it could as well be elsewhere";
+}
+
+TEST(LostSpots, ThoseOfBeforeARestartHaveNoPlace) {
+  RobotWithOdometry robot, next;
+  drives_up(robot, board_at);
+  ASSERT_TRUE(next.control.recall(robot.control.remembered()));
+  next.passes(0.5, board_at(0.36f));
+  EXPECT_EQ(next.wants(about).cause, Cause::NearLoss);
+}
+
+/// A hall in which nothing is ever seen behind a board.
+TEST(LostSpots, WhatIsNotBeforeTheCameraIsForgottenAfterAWhileAndNoSooner) {
+  RobotWithOdometry turned, facing;
+  for (RobotWithOdometry* robot : {&turned, &facing}) drives_up(*robot, board_at);
+  turned.turns(quarter, turned.hall);
+  EXPECT_EQ(turned.asked(ahead).factor, 1.0) << turned.wants(ahead).reason;
+  turned.passes(35.0, turned.hall);
+  EXPECT_EQ(turned.asked(ahead).factor, 1.0) << turned.wants(ahead).reason;
+  facing.passes(35.0, board_at(0.36f));
+  EXPECT_EQ(facing.wants(ahead).factor, 0.0) << facing.wants(ahead).reason;
+}
+
+}  // namespace
+}  // namespace safety_control_cloud

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "guarded_robot.hpp"
+
+namespace safety_control_cloud {
+
+constexpr double quarter = 1.5707963267948966;
+
+inline Settings remembering(double distance = 1.5) {
+  Settings settings = guard_settings();
+  settings.memory_distance = distance;
+  settings.unseen_speed = 0.7;
+  return settings;
+}
+
+/// A robot with odometry that turns and stands where it is put, before a camera that shows what it is given.
+struct RobotWithOdometry : GuardedRobot {
+  explicit RobotWithOdometry(const Settings& settings = remembering()) : GuardedRobot(settings) {}
+
+  Pose2 pose;
+  bool has_odometry = true;
+
+  void passes(double seconds, const Scene& scene) {
+    for (double t = 0.0; t < seconds; t += 0.05) {
+      pass(0.05);
+      if (has_odometry) control.note_odometry(now.ros, pose, {});
+      see(scene);
+      wants({});
+    }
+  }
+
+  /// Slowly enough to be believed.
+  void turns(double angle, const Scene& scene) {
+    const int steps = 40;
+    for (int i = 0; i < steps; ++i) {
+      pose.heading += angle / steps;
+      passes(0.05, scene);
+    }
+  }
+
+  const Guarded& asked(const Twist2& twist) {
+    passes(0.5, hall);
+    return wants(twist);
+  }
+
+  const Scene hall;
+};
+
+}  // namespace safety_control_cloud
