@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 #include <deque>
+#include <random>
 
 #include "../../safety_control_cloud/core/guard/directions.hpp"
 #include "guard/guarded_robot.hpp"
@@ -65,7 +66,9 @@ TEST(GuardControl, WhoDrivesAtAWallStopsBeforeIt) {
 }
 
 /// Told before is not told now: what it is given may fall, but not to nothing and up again.
-TEST(GuardControl, WhoDrivesAtAWallSlowsDownWithoutAHalt) {
+void drives_at_a_wall_without_a_halt(double unsteady) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> hand(-unsteady, unsteady);
   for (const double speed : {0.3, 0.45, 0.7}) {
     for (const bool odometry : {false, true}) {
       GuardedRobot robot;
@@ -74,7 +77,7 @@ TEST(GuardControl, WhoDrivesAtAWallSlowsDownWithoutAHalt) {
       for (int i = 0; front > 0.2 && i < 1000; ++i) {
         if (odometry) robot.control.note_odometry(robot.now.ros, {{1.6 - front, 0.0}, 0.0}, {driven, 0.0, 0.0});
         if (i % 5 == 0) robot.see(Scene({wall_before(front)}));
-        on_its_way.push_back(robot.wants({speed, 0.0, 0.0}).given.linear[0]);
+        on_its_way.push_back(robot.wants({speed + hand(random), 0.0, hand(random)}).given.linear[0]);
         driven += std::clamp(on_its_way.front() - driven, -0.0036, 0.01);
         on_its_way.pop_front();
         if (i > 20 && front > 0.25) least = std::min(least, on_its_way.back());
@@ -86,6 +89,9 @@ TEST(GuardControl, WhoDrivesAtAWallSlowsDownWithoutAHalt) {
     }
   }
 }
+
+TEST(GuardControl, WhoDrivesAtAWallSlowsDownWithoutAHalt) { drives_at_a_wall_without_a_halt(0.0); }
+TEST(GuardControl, SoDoesWhoseHandIsNotSteady) { drives_at_a_wall_without_a_halt(0.02); }
 
 TEST(GuardControl, FromAWallItCannotSeeAnyMoreItBacksOff) {
   GuardedRobot robot;

@@ -14,7 +14,10 @@ constexpr double kept = 5.0;            ///< [s] and what was told last before t
 constexpr double step = 0.02;           ///< [s] in which a way is gone
 constexpr double longest_way = 2.0;     ///< [s] in more steps; longer ones in as many longer steps
 constexpr double no_difference = 1e-6;  ///< [m], [rad]
-constexpr double rounding = 1e-9;       ///< [s]
+constexpr double rounding = 1e-9;       ///< [s], [m/s], [rad/s]
+
+/// [m/s], [rad/s] by which the twists of a motion that goes on may differ from shares of one.
+constexpr double unsteady_speed = 0.05, unsteady_turning = 0.15;
 
 double toward(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
 
@@ -26,14 +29,36 @@ double slowed(double from, double to, double most) {
 
 double size_of(const Twist2& twist) { return std::max({std::abs(twist.vx), std::abs(twist.vy), std::abs(twist.w)}); }
 
-/// The c in [0, 1] with which `twist` is c times `whole`, if there is one; `whole` is as large as it.
-std::optional<double> share_in(const Twist2& whole, const Twist2& twist) {
-  const double size = size_of(whole), share = size > 0.0 ? size_of(twist) / size : 0.0;
-  const Twist2 scaled = limited(whole, share);
-  const double off =
-      std::max({std::abs(scaled.vx - twist.vx), std::abs(scaled.vy - twist.vy), std::abs(scaled.w - twist.w)});
-  return off <= rounding * (1.0 + size) ? std::optional(share) : std::nullopt;
+Twist2 sum(const Twist2& a, const Twist2& b) { return {a.vx + b.vx, a.vy + b.vy, a.w + b.w}; }
+
+Twist2 difference(const Twist2& a, const Twist2& b) { return {a.vx - b.vx, a.vy - b.vy, a.w - b.w}; }
+
+/// The c in [0, 1] for which c times `whole` comes nearest to `twist`.
+double share_in(const Twist2& whole, const Twist2& twist) {
+  const auto product = [](const Twist2& a, const Twist2& b) { return a.vx * b.vx + a.vy * b.vy + a.w * b.w; };
+  const double size = product(whole, whole);
+  return size > 0.0 ? std::clamp(product(twist, whole) / size, 0.0, 1.0) : 0.0;
 }
+
+/// What of several twists is no share of one motion: a driver's hand is not steady.
+class Rest {
+ public:
+  explicit Rest(const Twist2& whole) : whole_(whole) {}
+
+  /// The share that a twist has in it.
+  double add(const Twist2& twist) {
+    const double share = share_in(whole_, twist);
+    const Twist2 rest = difference(twist, limited(whole_, share));
+    most_ = {std::max(most_.vx, std::abs(rest.vx)), std::max(most_.vy, std::abs(rest.vy)),
+             std::max(most_.w, std::abs(rest.w))};
+    return share;
+  }
+  bool is_slight() const { return speed_of(most_) <= unsteady_speed && most_.w <= unsteady_turning; }
+  const Twist2& most() const { return most_; }
+
+ private:
+  Twist2 whole_, most_;
+};
 
 }  // namespace
 
@@ -87,7 +112,8 @@ std::vector<Twist2> Given::under_way(double now, const std::optional<Twist2>& me
   }
   if (const auto steady = twists.size() > 1 ? as_if_steady(twists, now) : std::nullopt) {
     twists = {told_.back().twist};
-    add(steady->twist);
+    add(sum(steady->twist, steady->rest));
+    add(difference(steady->twist, steady->rest));
     if (measured) add(steady->with(*measured));
   } else if (measured) {
     add(*measured);
@@ -95,36 +121,33 @@ std::vector<Twist2> Given::under_way(double now, const std::optional<Twist2>& me
   return twists;
 }
 
-/// Each of them holds no longer than until the next has its effect. Where all are shares of one motion, that comes to
-/// one share k, steady for the delay, with the stopping way of who obeys as late and as slowly as he can:
+/// Each of them holds no longer than until the next has its effect. Where all are nearly shares of one motion, that comes
+/// to one share k, steady for the delay, with the stopping way of who obeys as late and as slowly as he can:
 /// k delay + k^2 t_b / 2 (speed/law.hpp). Who obeys sooner has less of that before him.
 std::optional<Given::Steady> Given::as_if_steady(const std::vector<Twist2>& twists, double now) const {
   const auto by_size = [](const Twist2& a, const Twist2& b) { return size_of(a) < size_of(b); };
   const Twist2 whole = *std::max_element(twists.begin(), twists.end(), by_size);
-  for (const Twist2& twist : twists)
-    if (!share_in(whole, twist)) return std::nullopt;
+  Rest rest(whole);
+  for (const Twist2& twist : twists) rest.add(twist);
   const double delay = following_.delay, steps = std::ceil(delay / step), time = delay / steps;
-  const double at_first = *share_in(whole, slowly_at(now));
+  const double at_first = rest.add(slowly_at(now));
   double share = at_first, way = 0.0;
   for (double i = 1.0; i <= steps; ++i) {
-    const auto next = share_in(whole, slowly_at(now + i * time));
-    if (!next) return std::nullopt;
-    way += time * std::max(share, *next);
-    share = *next;
+    const double next = rest.add(slowly_at(now + i * time));
+    way += time * std::max(share, next);
+    share = next;
   }
+  if (!rest.is_slight()) return std::nullopt;
   const double braking =
       std::max(speed_of(whole) / following_.linear_deceleration, std::abs(whole.w) / following_.angular_deceleration);
   const double needed = way + 0.5 * braking * share * share;
   const double steady = 2.0 * needed / (delay + std::sqrt(delay * delay + 2.0 * braking * needed));
-  return Steady{limited(whole, steady), limited(whole, at_first)};
+  return Steady{limited(whole, steady), limited(whole, at_first), rest.most()};
 }
 
 /// What is measured of the motion at most as large as it may be now is in it already; the rest is not.
 Twist2 Given::Steady::with(const Twist2& measured) const {
-  const auto product = [](const Twist2& a, const Twist2& b) { return a.vx * b.vx + a.vy * b.vy + a.w * b.w; };
-  const double size = product(now, now);
-  const Twist2 known = limited(now, size > 0.0 ? product(measured, now) / size : 0.0);
-  return {twist.vx + measured.vx - known.vx, twist.vy + measured.vy - known.vy, twist.w + measured.w - known.w};
+  return sum(twist, difference(measured, limited(now, share_in(now, measured))));
 }
 
 Pose2 Given::slow_way(double then, double now) const {

@@ -56,7 +56,8 @@ class Given {
   /// What comes to the same, until it stops, as one twist that is kept for the delay.
   struct Steady {
     Twist2 twist;
-    Twist2 now;  ///< what the slowest base does at this moment
+    Twist2 now;   ///< what the slowest base does at this moment
+    Twist2 rest;  ///< by which any of them differs from a share of the same motion, at most
 
     Twist2 with(const Twist2& measured) const;
   };

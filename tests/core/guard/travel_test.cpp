@@ -138,10 +138,10 @@ TEST(Given, NoStoppingWayIsLongerThanOfWhatIsUnderWay) {
     Given given(slow);
     std::vector<Twist2> told;
     double speed = share(random);
-    const double falls = 0.1 * share(random), jumps = turn % 3 == 0 ? 0.3 : 0.0;
+    const double falls = 0.1 * share(random), jumps = turn % 3 == 0 ? 0.3 : 0.0, unsteady = turn % 2 == 0 ? 0.1 : 0.0;
     for (int i = 0; i < 40; ++i) {
       speed = share(random) < jumps ? share(random) : std::max(0.0, speed - falls * share(random));
-      told.push_back({0.7 * speed, 0.0, 0.0});
+      told.push_back({0.7 * speed, 0.3 * unsteady * (share(random) - 0.5), unsteady * (share(random) - 0.5)});
       given.note(told.back(), 1.0 + 0.05 * i);
     }
     const double longest = longest_stop(given.under_way(1.0 + 0.05 * 39));
