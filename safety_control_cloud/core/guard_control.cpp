@@ -27,7 +27,12 @@ Following following_of(const Settings& settings) {
 
 OutOfSightLimits out_of_sight_by(const Settings& settings) {
   const FrameCorridor& band = settings.frame_corridor;
-  return {band.bottom,           band.top, settings.memory_distance, settings.memory_time, settings.odometry_drift,
+  return {band.bottom,
+          band.top,
+          settings.memory_distance,
+          settings.memory_time,
+          settings.odometry_drift,
+          settings.obstacle_speed,
           own_boxes_of(settings)};
 }
 

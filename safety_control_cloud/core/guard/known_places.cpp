@@ -19,8 +19,7 @@ constexpr double own_size = 0.01;      ///< [m] to each side: one of several pla
 constexpr double lowest_rows = 0.3;    ///< of the picture: what ends above them hides no near floor
 constexpr double beside = 0.04;        ///< [m] a spot may lie by as much to twice as much beside what is known of it
 constexpr double nearly_all = 0.9;     ///< of the spots: some lie in the air behind an edge
-
-constexpr double most_off = 0.05;  ///< [m] what may lie farther from its place tells nothing
+constexpr double most_off = 0.05;      ///< [m] what may lie farther from its place tells nothing
 
 using Parts = std::array<bool, parts>;
 using Cell = std::pair<long, long>;

@@ -143,7 +143,8 @@ std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Pose2& 
   std::vector<KnownPlace> places;
   for_each(pose, now, [&](const Place& place, const Here& here) {
     if (place.seen_at - place.first_seen < rests_for) return;
-    places.push_back({here.place, camera.seen_from_camera(in_axes(here.place, place.z)), here.off});
+    const double off = here.off + limits_.speed * (now - place.seen_at);
+    places.push_back({here.place, camera.seen_from_camera(in_axes(here.place, place.z)), off});
   });
   return places;
 }

@@ -31,6 +31,7 @@ struct OutOfSightLimits {
   double distance = 0.0;           ///< [m] from base_frame's origin: what came so near is kept; 0: nothing is
   double time = 0.0;               ///< [s] for so long
   double drift = 0.0;              ///< [m/m], [rad/rad] of the odometry: what it may be off by
+  double speed = 0.0;              ///< [m/s] of obstacles
   std::vector<OwnBox> self = {};   ///< of the robot itself
 };
 

@@ -91,6 +91,14 @@ TEST(LostSpots, WhatWalkedIntoTheBlindZoneIsNotKnownByItsTrail) {
   EXPECT_EQ(robot.wants(about).factor, 0.0);
 }
 
+TEST(LostSpots, WhatMayMoveIsNotKnownForLong) {
+  Settings settings = remembering();
+  settings.obstacle_speed = 0.3;
+  RobotWithOdometry robot(settings);
+  drives_up(robot, post_at);
+  EXPECT_EQ(robot.wants(about).cause, Cause::NearLoss);
+}
+
 TEST(LostSpots, AfterAJumpOfOdometryNobodyKnowsWhereTheyAre) {
   RobotWithOdometry robot;
   drives_up(robot, post_at);
