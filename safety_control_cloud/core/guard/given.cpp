@@ -10,7 +10,7 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double kept = 5.0;            ///< [s] and what was told last before that
+constexpr double kept = 12.0;           ///< [s], more than source_timeout may be; and what was told last before that
 constexpr double step = 0.02;           ///< [s] in which a way is gone
 constexpr double longest_way = 2.0;     ///< [s] in more steps; longer ones in as many longer steps
 constexpr double no_difference = 1e-6;  ///< [m], [rad]
@@ -107,9 +107,8 @@ std::vector<Twist2> Given::under_way(double now, const std::optional<Twist2>& me
       twists.push_back(twist);
   };
   add(slowly_at(now));
-  for (const Told& told : told_) {
-    if (told.since >= now - following_.delay) add(told.twist);
-  }
+  for (auto told = told_.rbegin(); told != told_.rend() && told->since >= now - following_.delay; ++told)
+    add(told->twist);
   if (const auto steady = twists.size() > 1 ? as_if_steady(twists, now) : std::nullopt) {
     twists = {told_.back().twist};
     add(sum(steady->twist, steady->rest));

@@ -35,7 +35,7 @@ class Given {
   /// Where the robot is, in a frame that rests, if it obeys at once, half of it, or as late as can be.
   using Reckoned = std::array<Pose2, 3>;
 
-  /// No more than a few seconds ago.
+  /// At most ten seconds ago.
   Reckoned reckoned_at(double moment) const;
 
   /// Ways that it may have gone from there until now, however long ago that was: none, and those of who obeys so. The

@@ -186,6 +186,12 @@ TEST(Given, AWayIsNotForgottenHoweverLongAgoItWasGone) {
   EXPECT_GT(ways[3].place.x, at_once.place.x + 0.25) << "it braked late and slowly";
 }
 
+TEST(Given, WhatWasSeenTenSecondsAgoHasAWholeWayBehindIt) {
+  Given given(slow);
+  for (int i = 0; i <= 600; ++i) given.note({0.5, 0.0, 0.0}, 1.0 + 0.02 * i);
+  EXPECT_NEAR(given.ways_since(given.reckoned_at(3.0), 13.0)[1].place.x, 5.0, 1e-6);
+}
+
 TEST(Command, IsScaledAsAWhole) {
   Command command;
   command.linear = {0.4, -0.2, 0.0};
