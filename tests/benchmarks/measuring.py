@@ -8,6 +8,7 @@ from typing import Any, Dict, Sequence
 import cameras
 import depth
 import growth
+import guard
 import instructions
 import judge
 import kernel
@@ -20,7 +21,7 @@ from rich.table import Table
 
 from safety_control_cloud.ros_session import roscore
 
-PARTS = {"kernel": kernel, "nodes": nodes, "depth": depth, "cameras": cameras, "judge": judge, "workers": workers}
+PARTS = {"kernel": kernel, "nodes": nodes, "depth": depth, "cameras": cameras, "guard": guard, "judge": judge, "workers": workers}
 Figures = Dict[str, Dict[str, float]]
 MEANINGS = {
     "kernel_vs_read": "a look / only reading the bytes, a fresh cloud of VGA or more",
@@ -39,6 +40,10 @@ MEANINGS = {
     "depth_floor_cpu_vs_chain": "the same of a node that only answers the image",
     "depth_cpu_vs_floor": "CPU an image, our node / one that only answers",
     "cameras_cpu_growth": "CPU a cloud with 2 and 4 cameras and nodes / with one",
+    "guard_latency_ms": "command to answer, as a guard [ms]",
+    "guard_latency_p99_ms": "the same, of a hundred the slowest",
+    "guard_nodelet_latency_ms": "the same inside one process",
+    "guard_cpu_vs_floor": "CPU of the guard / of a node that hears the same and passes all",
     "judge_vs_read": "CPU a cloud of a bag, judged / only read by rosbags",
     "judge_memory_growth": "memory of the judge, a bag twice as long / one",
     "judge_two_workers": "clouds judged a second, by two worker processes / by one; more is better",

@@ -4,7 +4,7 @@ import argparse
 
 from safety_control_cloud.view.options import writable
 
-PARTS = ("kernel", "nodes", "depth", "cameras", "judge", "workers")
+PARTS = ("kernel", "nodes", "depth", "cameras", "guard", "judge", "workers")
 EPILOG = """\
 A fresh cloud has not been looked at before and lies in no cache: every look takes another one, of more than any cache
 holds together. A camera's cloud is such a one: the driver or the network has just written its megabytes from the first

@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import exchange
+import guard
 import nodes
 import pytest
 import rosgraph
@@ -52,6 +53,14 @@ def test_our_node_looks_by_itself_again_after_it_looked_by_pcl(master):
 def test_several_cameras_are_answered_each_by_its_own_node(master):
     first, second = exchange.exchanges("ours", exchange.QVGA, CLOUDS, pairs=2)
     assert first.twists == second.twists == (1,) * CLOUDS
+
+
+@pytest.mark.parametrize("side", guard.SIDES)
+def test_the_guard_answers_every_command_beside_two_cameras_and_a_laser(master, side):
+    with guard.parameters():
+        met = guard.drive(side, CLOUDS * guard.COMMANDS_A_CLOUD)
+    assert len(met["latency_ms"]) == CLOUDS * guard.COMMANDS_A_CLOUD and min(met["latency_ms"]) > 0.0
+    assert (met["cpu_share"] > 0.0) == (side != "nodelet")
 
 
 @pytest.mark.slow

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The guard with two VGA cameras and a laser at 20 Hz and commands at 50 Hz: what it costs, and from command to answer.
+
+Beside it, a node that hears the same and passes every command; and the nodelet, in the process of all of them.
+"""
+import json
+from contextlib import ExitStack, contextmanager
+from dataclasses import asdict, dataclass
+from math import ceil
+from typing import Any, Callable, Dict, Iterator, List, Mapping, Sequence
+
+import rosgraph
+from exchange import PATIENCE, PROGRAMS
+from repetitions import Plan, Timing, in_turn, timing_of, worst_and_median
+from rich.table import Table as RichTable
+
+from safety_control_cloud.processes import ProcessError, process
+from safety_control_cloud.ros_session import PACKAGE, executable_of
+
+SIDES = ("ours", "floor", "nodelet")
+COMMANDS_A_CLOUD = 5
+NODE = "/safety_control_cloud"
+PARAMETERS = {
+    "mode": "guard",
+    "sensors": [
+        {"name": "front", "type": "cloud", "topic": "front/points"},
+        {"name": "rear", "type": "cloud", "topic": "rear/points"},
+        {"name": "laser", "type": "scan", "topic": "scan"},
+    ],
+}
+
+
+@dataclass(frozen=True)
+class Cost:
+    latency_ms: Timing  # of the repetitions' medians
+    latency_p99_ms: float  # of the commands of all repetitions
+    cpu_share: Timing  # of a core; of the nodelet nobody knows: it shares its process
+
+
+Table = Dict[str, Cost]
+
+
+def cases(plan: Plan) -> Sequence[str]:
+    return SIDES
+
+
+def measure(plan: Plan, done: Callable[[], None]) -> Table:
+    """Needs a master."""
+    with parameters():
+        met = in_turn(SIDES, plan, lambda side: drive(side, plan.clouds * COMMANDS_A_CLOUD), done)
+    return {side: cost_of(all_) for side, all_ in met.items()}
+
+
+@contextmanager
+def parameters() -> Iterator[None]:
+    """Of the guard, on the master for as long."""
+    master = rosgraph.Master("/bench")
+    for name, value in PARAMETERS.items():
+        master.setParam(f"{NODE}/{name}", value)
+    try:
+        yield
+    finally:
+        master.deleteParam(NODE)
+
+
+def drive(side: str, commands: int) -> Mapping[str, Any]:
+    guards = {"floor": [str(PROGRAMS / "floor_node"), "guard"], "ours": [executable_of(PACKAGE, "safety_control_node")]}
+    with ExitStack() as stack:
+        nodes = [stack.enter_context(process(guards[side]))] if side in guards else []
+        ids = [str(node.pid) for node in nodes]
+        driver = stack.enter_context(process([str(PROGRAMS / "guard_drive"), str(commands), *ids]))
+        code = driver.wait(commands / 50.0 + PATIENCE)
+        lines = [line for line in driver.output().splitlines() if line.startswith("{")]
+        if code != 0 or not lines:
+            raise ProcessError("\n".join(one.output() for one in (driver, *nodes)))
+    return json.loads(lines[-1])
+
+
+def cost_of(met: Sequence[Mapping[str, Any]]) -> Cost:
+    latencies = sorted(latency for one in met for latency in one["latency_ms"])
+    return Cost(
+        latency_ms=timing_of([timing_of(one["latency_ms"]).median for one in met]),
+        latency_p99_ms=latencies[ceil(0.99 * len(latencies)) - 1],
+        cpu_share=timing_of([one["cpu_share"] for one in met]),
+    )
+
+
+def figures(table: Table) -> Dict[str, Dict[str, float]]:
+    return {
+        "guard_latency_ms": worst_and_median([table["ours"].latency_ms.median]),
+        "guard_latency_p99_ms": worst_and_median([table["ours"].latency_p99_ms]),
+        "guard_nodelet_latency_ms": worst_and_median([table["nodelet"].latency_ms.median]),
+        "guard_cpu_vs_floor": worst_and_median([table["ours"].cpu_share.median / table["floor"].cpu_share.median]),
+    }
+
+
+def table_of(table: Table) -> RichTable:
+    shown = RichTable("node", title="The guard: two VGA cameras and a laser at 20 Hz, commands at 50 Hz")
+    for heading in ("command to answer [ms]", "spread", "p99", "CPU [of a core]", "spread"):
+        shown.add_column(heading, justify="right")
+    for side, cost in table.items():
+        used = ("-", "-") if side == "nodelet" else (f"{cost.cpu_share.median:.1%}", f"{cost.cpu_share.spread:.0%}")
+        shown.add_row(side, f"{cost.latency_ms.median:.2f}", f"{cost.latency_ms.spread:.0%}", f"{cost.latency_p99_ms:.2f}", *used)
+    return shown
+
+
+def as_json(table: Table) -> List[Dict[str, object]]:
+    return [{"side": side, **asdict(cost)} for side, cost in table.items()]
