@@ -9,8 +9,8 @@
 #include <tf2_ros/static_transform_broadcaster.h>
 
 #include <array>
-#include <cmath>
 #include <boost/make_shared.hpp>
+#include <cmath>
 #include <iostream>
 #include <optional>
 #include <stdexcept>

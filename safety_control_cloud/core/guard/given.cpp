@@ -120,9 +120,9 @@ std::vector<Twist2> Given::under_way(double now, const std::optional<Twist2>& me
   return twists;
 }
 
-/// Each of them holds no longer than until the next has its effect. Where all are nearly shares of one motion, that comes
-/// to one share k, steady for the delay, with the stopping way of who obeys as late and as slowly as he can:
-/// k delay + k^2 t_b / 2 (speed/law.hpp). Who obeys sooner has less of that before him.
+/// Each of them holds no longer than until the next has its effect. Where all are nearly shares of one motion, that
+/// comes to one share k, steady for the delay, with the stopping way of who obeys as late and as slowly as he can: k
+/// delay + k^2 t_b / 2 (speed/law.hpp). Who obeys sooner has less of that before him.
 std::optional<Given::Steady> Given::as_if_steady(const std::vector<Twist2>& twists, double now) const {
   const auto by_size = [](const Twist2& a, const Twist2& b) { return size_of(a) < size_of(b); };
   const Twist2 whole = *std::max_element(twists.begin(), twists.end(), by_size);
