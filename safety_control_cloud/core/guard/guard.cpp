@@ -138,7 +138,8 @@ Allowed Guard::by_ring(const Twist2& wanted, const std::vector<Twist2>& under_wa
   Obstacles moved{{}, ring.obstacles.counts};
   for (const Pose2& way : known.ways) {
     moved.points.clear();
-    for (const Point2& point : ring.obstacles.points) moved.points.push_back(seen_after(way, point));
+    const SeenAfter seen_after(way);
+    for (const Point2& point : ring.obstacles.points) moved.points.push_back(seen_after(point));
     const Limit limit = safety_control_cloud::limit(outline, law, moved, known.age, under_way, wanted);
     if (!(limit.factor < least.factor)) continue;
     const Contact decider = limit.contact.point ? limit.contact : on_the_path(outline, moved, wanted);

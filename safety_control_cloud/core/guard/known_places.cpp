@@ -87,10 +87,11 @@ bool LostSpots::are_among(const std::vector<KnownPlace>& known, const Pose2& pos
   for (const KnownPlace& one : known) {
     if (one.off <= most_off) filled.insert(cell_of(one.place));
   }
+  const SeenAfter seen_after(pose);
   const auto is_known = [&](const auto& spot) {
     const Lost& lost = spot.second;
     if (!lost.place) return false;
-    const Point2 here = seen_after(pose, *lost.place);
+    const Point2 here = seen_after(*lost.place);
     const auto [x, y] = cell_of(here);
     for (const long ahead : {-1, 0, 1})
       for (const long left : {-1, 0, 1})

@@ -60,6 +60,7 @@ void OutOfSight::keep_near(std::size_t sensor, const Look& look, const Pose2& po
   const Pixels pixels(look.view, look.outlook.corridor.range_min);
   const bool is_scan = std::holds_alternative<ScanView>(look.reading);
   const std::size_t across = is_scan ? 1 : step_for(pixels.width(), columns), down = step_for(pixels.height(), rows);
+  const Turn turn(pose.heading);
   PixelRow row;
   for (std::size_t r = 0; r < pixels.height(); r += down) {
     pixels.read(r, across, look.outlook, row);
@@ -69,7 +70,7 @@ void OutOfSight::keep_near(std::size_t sensor, const Look& look, const Pose2& po
       const bool counts = height >= limits_.bottom && height <= limits_.top &&
                           dot(place, place) <= limits_.distance * limits_.distance;  // of NaN, false
       if (!counts || is_own(limits_.self, place.x, place.y, height)) continue;
-      keep(sensor, pose.place + turned(place, pose.heading), height, now);
+      keep(sensor, pose.place + turn(place), height, now);
     }
   }
 }
@@ -92,13 +93,14 @@ void OutOfSight::keep(std::size_t sensor, const Point2& place, float height, dou
 }
 
 void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Pose2& pose, double now) {
+  const SeenAfter seen_after(pose);
   for (auto it = places_.begin(); it != places_.end();) {
     Place& place = it->second;
     if (place.look == look_) {
       ++it;
       continue;
     }
-    const Point2 here = seen_after(pose, {place.x, place.y});
+    const Point2 here = seen_after({place.x, place.y});
     const Point seen_from_there = look.outlook.seen_from_camera(in_axes(here, place.z));
     const bool is_measured = seen_from_there.getVector3fMap().norm() >= static_cast<float>(look.measures_from);
     it = has_gone(place, seen_at(seen_from_there), is_measured, now) ? places_.erase(it) : std::next(it);
@@ -128,11 +130,12 @@ bool OutOfSight::holds_any(double now) const {
 
 template <class Visit>
 void OutOfSight::for_each(const Pose2& pose, double now, Visit visit) const {
+  const SeenAfter seen_after(pose);
   const Pose2 since = pose_ ? between(*pose_, pose) : Pose2{};
   const double distance = distance_ + length_of(since.place), angle = angle_ + std::abs(since.heading);
   for (const auto& [key, place] : places_) {
     if (!counts(place, now)) continue;
-    const Point2 here = seen_after(pose, {place.x, place.y});
+    const Point2 here = seen_after({place.x, place.y});
     const double range = length_of(here);
     const double off = own_size + limits_.drift * (distance - place.distance + (angle - place.angle) * range);
     if (off <= displaced.back()) visit(place, Here{here, range, off});

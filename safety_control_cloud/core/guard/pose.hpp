@@ -13,10 +13,19 @@ struct Pose2 {
   double heading = 0.0;  ///< [rad]
 };
 
-inline Point2 turned(const Point2& point, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * point.x - s * point.y, s * point.x + c * point.y};
-}
+/// By an angle [rad], of which the sine and cosine are asked for once for many points.
+class Turn {
+ public:
+  explicit Turn(double angle) : cosine_(std::cos(angle)), sine_(std::sin(angle)) {}
+  Point2 operator()(const Point2& point) const {
+    return {cosine_ * point.x - sine_ * point.y, sine_ * point.x + cosine_ * point.y};
+  }
+
+ private:
+  double cosine_, sine_;
+};
+
+inline Point2 turned(const Point2& point, double angle) { return Turn(angle)(point); }
 
 /// How one comes from one pose to another, as the first sees it.
 inline Pose2 between(const Pose2& from, const Pose2& to) {
@@ -33,8 +42,16 @@ inline Pose2 way_of(const Twist2& twist, double time) {
   return {moved({}, {-twist.vx, -twist.vy, -twist.w}, time), twist.w * time};
 }
 
-/// Where a resting point stands in base_frame once the robot has gone this way.
-inline Point2 seen_after(const Pose2& way, const Point2& point) { return turned(point - way.place, -way.heading); }
+/// Where resting points stand in base_frame once the robot has gone this way.
+class SeenAfter {
+ public:
+  explicit SeenAfter(const Pose2& way) : place_(way.place), back_(-way.heading) {}
+  Point2 operator()(const Point2& point) const { return back_(point - place_); }
+
+ private:
+  Point2 place_;
+  Turn back_;
+};
 
 /// [m] that a point at this distance from the robot moves at most, seen from it.
 inline double displacement(const Pose2& way, double distance) {

@@ -23,7 +23,7 @@ void drive(Odometry& odometry, const Twist2& twist, double from, double seconds)
 TEST(Pose, AWayIsSeenBackwardByARestingPoint) {
   const Twist2 twist{0.3, 0.1, 0.7};
   const Point2 point{1.0, -0.5};
-  const Point2 carried = seen_after(way_of(twist, 0.8), point), direct = moved(point, twist, 0.8);
+  const Point2 carried = SeenAfter(way_of(twist, 0.8))(point), direct = moved(point, twist, 0.8);
   EXPECT_NEAR(carried.x, direct.x, 1e-12);
   EXPECT_NEAR(carried.y, direct.y, 1e-12);
 }
