@@ -14,8 +14,6 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double slack = 0.1;  ///< [s] by which the node may be late until another thread commands zero
-
 Pose2 to_pose(const geometry_msgs::Pose& pose) {
   const auto& turn = pose.orientation;
   const double heading =
@@ -86,11 +84,15 @@ GuardNode::~GuardNode() {
 
 void GuardNode::on_wanted(const geometry_msgs::Twist& wanted, std::optional<double> stamp) {
   const Instant came = now();
-  gap_.beat(came, control_.settings());
-  // What has no stamp, and waited in the socket while the process stood still, is told from nothing.
-  const bool may_be_old = !stamp && gap_.has_gone_on_within(control_.settings().command_timeout, came);
+  const bool may_be_old = may_have_waited(came) && !stamp;
   if (!may_be_old) control_.want(to_command(wanted), came, stamp);
   publish(answer());
+}
+
+/// What has no stamp, and waited in a socket while the process stood still, is told from nothing.
+bool GuardNode::may_have_waited(const Instant& came) {
+  gap_.beat(came, control_.settings());
+  return gap_.has_gone_on_within(control_.settings().command_timeout, came);
 }
 
 void GuardNode::on_arrival(std::size_t sensor, const Arrival& arrival) {
@@ -154,11 +156,9 @@ void GuardNode::on_quiet() {
 
 bool GuardNode::on_override(OverrideRequest& wish, OverrideResponse& response) {
   const Instant came = now();
-  gap_.beat(came, control_.settings());
-  const bool may_be_old = gap_.has_gone_on_within(control_.settings().command_timeout, came);
-  const OverrideReply reply =
-      may_be_old ? OverrideReply{false, "refused: this node had stood still until just now; ask again"}
-                 : control_.ask_override({wish.seconds, wish.speed, wish.even_in_doubt != 0}, came);
+  const OverrideReply reply = may_have_waited(came)
+                                  ? OverrideReply{false, "refused: this node had stood still until just now; ask again"}
+                                  : control_.ask_override({wish.seconds, wish.speed, wish.even_in_doubt != 0}, came);
   response.success = reply.granted;
   response.message = reply.words;
   log_.warn("~override: " + reply.words);
@@ -186,7 +186,7 @@ void GuardNode::publish(const Guarded& answer) {
     if (change > 0.0) due = std::min(due, change);
   quiet_.in(due);
   said_ = to_twist(answer.given);
-  commands_.publish(said_, answered_at_.steady + due + slack);
+  commands_.publish(said_, answered_at_.steady + due);
   reports_.say(answer, control_.settings(), header_);
   lost_things_.keep(answer.cause);
   said_cause_ = answer.cause;

@@ -11,12 +11,6 @@
 #include "time/moments.hpp"
 
 namespace safety_control_cloud {
-namespace {
-
-constexpr double slack = 0.1;  ///< [s] by which the node may be late until another thread commands zero
-
-}  // namespace
-
 SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Delivery delivery,
                        const Settings& settings)
     : control_(settings),
@@ -104,7 +98,7 @@ void SafetyNode::publish(const Decision& decision, const Instant& decided) {
   const double until_silent = last_cloud_ ? control_.settings().source_timeout - (decided.steady - *last_cloud_) : 0.0;
   quiet_.in(until_silent > 0.0 ? std::min(period, until_silent) : period);
   const double valid = until_silent > 0.0 ? until_silent : period;
-  commands_.publish(to_twist(decision), decided.steady + valid + slack);
+  commands_.publish(to_twist(decision), decided.steady + valid);
   reports_.say(decision, control_.settings(), header_);
   lost_things_.keep(decision.cause);
   said_ = decision.cause;

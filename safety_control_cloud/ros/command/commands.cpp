@@ -12,6 +12,7 @@ namespace safety_control_cloud {
 namespace {
 
 constexpr double period = 0.1;      ///< [s] between two looks at who is connected; not longer than a node may be late
+constexpr double slack = 0.1;       ///< [s] by which the node may be late
 constexpr double repetition = 0.1;  ///< [s] between two zeros where the node says nothing
 
 /// Whose message this thread is publishing now. In one process all that is published bears the same name; but a pointer
@@ -72,8 +73,8 @@ Commands::~Commands() {
 void Commands::publish(const Twist& wanted, double due) {
   const bool alone = !others_.doubt(now());
   const std::lock_guard<std::mutex> lock(saying_);
-  due_ = due;
-  say(alone && !ended_ && now() < due ? wanted : Twist());
+  due_ = due + slack;
+  say(alone && !ended_ && now() < due_ ? wanted : Twist());
 }
 
 std::optional<Doubt> Commands::doubt() { return others_.doubt(now()); }

@@ -33,8 +33,8 @@ class Commands {
   Commands(ros::NodeHandle& handle, const std::string& topic, std::function<void()> on_other);
   ~Commands();
 
-  /// Says `wanted`, or zero if somebody else commands the robot too. If nothing is published until `due` [s, steady],
-  /// zero is said, and again from then on. What is late itself is zero too.
+  /// Says `wanted`, or zero if somebody else commands the robot too. The next one is `due` at [s, steady]: if none
+  /// is published until shortly after that, zero is said, and again from then on. What is late itself is zero too.
   void publish(const Twist& wanted, double due);
 
   /// Whether somebody else commands the robot.
