@@ -84,14 +84,14 @@ GuardNode::~GuardNode() {
 
 void GuardNode::on_wanted(const geometry_msgs::Twist& wanted, std::optional<double> stamp) {
   const Instant came = now();
-  const bool may_be_old = may_have_waited(came) && !stamp;
+  gap_.beat(came, control_.settings());
+  const bool may_be_old = !stamp && may_have_waited(came);
   if (!may_be_old) control_.want(to_command(wanted), came, stamp);
   publish(answer());
 }
 
 /// What has no stamp, and waited in a socket while the process stood still, is told from nothing.
-bool GuardNode::may_have_waited(const Instant& came) {
-  gap_.beat(came, control_.settings());
+bool GuardNode::may_have_waited(const Instant& came) const {
   return gap_.has_gone_on_within(control_.settings().command_timeout, came);
 }
 
@@ -156,6 +156,7 @@ void GuardNode::on_quiet() {
 
 bool GuardNode::on_override(OverrideRequest& wish, OverrideResponse& response) {
   const Instant came = now();
+  gap_.beat(came, control_.settings());
   const OverrideReply reply = may_have_waited(came)
                                   ? OverrideReply{false, "refused: this node had stood still until just now; ask again"}
                                   : control_.ask_override({wish.seconds, wish.speed, wish.even_in_doubt != 0}, came);

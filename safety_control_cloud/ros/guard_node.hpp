@@ -47,7 +47,7 @@ class GuardNode : public Node {
   void on_quiet();
   bool on_override(OverrideRequest& wish, OverrideResponse& response);
 
-  bool may_have_waited(const Instant& came);
+  bool may_have_waited(const Instant& came) const;
   void see(std::size_t sensor, const Arrival& arrival, const Instant& came);
   const Guarded& answer();
   void publish(const Guarded& answer);

@@ -175,13 +175,18 @@ def test_whoever_plans_is_told_what_is_blocked_and_what_is_open(robot):
     eventually(lambda: not robot.blocked.all()[-1].blocked)
 
 
+def moves_before_something(array: MarkerArray) -> bool:
+    """Whether the path leads out of the footprint: not in the moments in which a busy machine makes the robot stand."""
+    foremost = {marker.ns: max((point.x for point in marker.points), default=0.0) for marker in array.markers}
+    return array.markers[2].action == Marker.ADD and foremost["path"] > foremost["footprint"]
+
+
 def test_rviz_is_shown_the_footprint_its_path_and_what_decided(robot):
     robot.camera.show(hall(wall(0.4 + CAMERA_TO_FRONT)))
     robot.driver.say(twist(0.5, 0.2))
     shown = Heard("/safety_control_cloud/markers", MarkerArray)
-    markers = {marker.ns: marker for marker in shown.until(lambda array: array.markers[2].action == Marker.ADD).markers}
+    markers = {marker.ns: marker for marker in shown.until(moves_before_something).markers}
     shown.close()
     assert set(markers) == {"footprint", "path", "decider", "reason"}
     assert {marker.header.frame_id for marker in markers.values()} == {"base_footprint"}
-    assert max(point.x for point in markers["path"].points) > max(point.x for point in markers["footprint"].points)
     assert markers["decider"].pose.position.x == pytest.approx(0.4 + 0.178, abs=0.05)

@@ -61,10 +61,10 @@ class Guarded:
         self.driver = Repeated(namespace + "/cmd_vel_in", *said)
         self.camera = Camera(view or hall(frame=prefix + FRAME), clock, topic=namespace + TOPIC)
 
-    def gives(self, fits: Callable[[SafetyState], bool], within: float = SETTLED, lasts: float = 0.3, halts: int = 1) -> SafetyState:
+    def gives(self, fits: Callable[[SafetyState], bool], within: float = SETTLED, lasts: float = 0.3) -> SafetyState:
         """The robot comes to an answer that fits, and stays with such for a while, on ~state and on cmd_vel.
 
-        A machine that is busy for a moment may make it stand meanwhile, so often: then it comes to that answer again.
+        A machine that is busy for a moment may make it stand meanwhile: then it comes to that answer again.
         """
         end = time.monotonic() + within + GRACE
         while True:
@@ -78,14 +78,13 @@ class Guarded:
             others = [state for state in later if not fits(state)]
             if later and not others:
                 break
-            halts -= 1
-            assert later and halts >= 0 and all(bits(state.given) == ZERO for state in others), others[:1]
+            assert later and all(bits(state.given) == ZERO for state in others), others[:1]
         # Where the node is late, another of its threads says zero.
         assert said and said - {ZERO} <= {bits(state.given) for state in later}, "cmd_vel says what ~state says"
         return state
 
     def stands(self, cause: str, within: float = SETTLED) -> SafetyState:
-        return self.gives(lambda state: state.cause_text == cause and bits(state.given) == ZERO, within, halts=0)
+        return self.gives(lambda state: state.cause_text == cause and bits(state.given) == ZERO, within)
 
     def passes(self, command: Twist, within: float = SETTLED) -> SafetyState:
         command_bits = bits(command)
