@@ -62,6 +62,7 @@ constexpr Bound bounds[] = {
     {"memory_distance", 5.0},
     {"memory_time", 600.0},
     {"odometry_drift", 1.0},
+    {"switch_release_time", 60.0},
 };
 
 }  // namespace

@@ -48,12 +48,14 @@ GuardControl::GuardControl(const Settings& settings)
     : settings_(checked(settings)),
       guard_(settings_),
       sensors_(sensors_by(settings_, guard_)),
+      closed_(settings_.switches),
       out_of_sight_(out_of_sight_by(settings_)),
       given_(following_of(settings_)) {}
 
 void GuardControl::adopt(const Settings& settings) {
   const Settings checked_ones = checked(settings);
   const bool same = sensors_of(checked_ones) == sensors_of(settings_);
+  if (!(checked_ones.switches == settings_.switches)) closed_ = ClosedEdges(checked_ones.switches);
   settings_ = checked_ones;
   guard_ = Guard(settings_);
   if (!same) {
@@ -118,6 +120,14 @@ void GuardControl::want(const Command& wanted, const Instant& now, std::optional
   wanted_at_ = now.steady;
 }
 
+void GuardControl::note_switch(std::size_t which, Edge edge, bool touched, const Instant& now) {
+  closed_.note(which, edge, touched, now.steady);
+}
+
+void GuardControl::note_about_switch(std::size_t which, std::optional<Doubt> doubt) {
+  closed_.note_outside(which, std::move(doubt));
+}
+
 OverrideReply GuardControl::ask_override(const OverrideWish& wish, const Instant& now) {
   return override_.ask(wish, settings_, doubt_of(known_at(now)), now.steady);
 }
@@ -142,6 +152,7 @@ std::vector<Known> GuardControl::known_at(const Instant& now) {
   }
   if (!all.empty()) {
     if (auto remembered = remembered_at(now, shows)) all.push_back(*std::move(remembered));
+    for (Known& one : closed_.known_at(now.steady, settings_.switch_release_time)) all.push_back(std::move(one));
     return all;
   }
   Known none;

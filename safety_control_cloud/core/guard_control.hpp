@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "guard/closed_edges.hpp"
 #include "guard/given.hpp"
 #include "guard/guard.hpp"
 #include "guard/odometry.hpp"
@@ -56,6 +57,10 @@ class GuardControl {
   /// What speaks against a sensor that its readings do not tell, until there is none.
   void note_about(std::size_t sensor, std::optional<Doubt> doubt) { sensors_[sensor].note_outside(std::move(doubt)); }
 
+  /// One of the settings' switches says of an edge whether it is touched there; or what speaks against the switch.
+  void note_switch(std::size_t which, Edge edge, bool touched, const Instant& now);
+  void note_about_switch(std::size_t which, std::optional<Doubt> doubt);
+
   /// Somebody asks that for a while nobody asks what is seen.
   OverrideReply ask_override(const OverrideWish& wish, const Instant& now);
 
@@ -90,6 +95,7 @@ class GuardControl {
   Settings settings_;
   Guard guard_;
   std::vector<GuardSensor> sensors_;
+  ClosedEdges closed_;
   OutOfSight out_of_sight_;
   std::vector<Ring> remembered_;  ///< of the latest answer
   std::size_t breaks_ = 0;        ///< of the odometry, after which that began

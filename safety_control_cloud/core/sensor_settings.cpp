@@ -20,6 +20,7 @@ Sensors sensors_of(const Settings& settings) {
 Settings own_settings(const Settings& settings, const SensorSettings& sensor) {
   Settings own = settings;
   own.sensors.clear();
+  own.switches.clear();
   own.input = sensor.type;
   for_each_parameter(own, [&](const char* name, auto& setting) {
     using Value = std::decay_t<decltype(setting)>;

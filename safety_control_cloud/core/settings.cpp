@@ -58,6 +58,7 @@ void check_own(const Settings& settings, const SensorSettings& sensor, Problems&
 void check_together(const Settings& settings, Problems& problems) {
   problems.require(settings.limits.danger > settings.corridor.range_min, "danger_distance must be more than range_min");
   problems.require(settings.mode == Mode::Guard || settings.sensors.empty(), "sensors are of mode guard");
+  problems.require(settings.mode == Mode::Guard || settings.switches.empty(), "switches are of mode guard");
   problems.require(settings.mode == Mode::Guard || settings.input != InputKind::Scan,
                    "input scan is of mode guard: the drive mode looks ahead with a camera");
   problems.require(settings.publish_rate >= 1.0 && settings.publish_rate <= 1000.0,

@@ -23,8 +23,8 @@ struct Settings : LookSettings, DoubtSettings, MemorySettings, SpeedSettings, Gu
 };
 
 /// Calls visit(name, value) for every parameter, with the name it has in ROS, in YAML and in Python.
-/// `settings` may be const; `visit` must take bool, float, double, std::size_t, std::string, Lists, Sensors, MinusInf,
-/// Method, InputKind, Mode and CommandType.
+/// `settings` may be const; `visit` must take bool, float, double, std::size_t, std::string, Lists, Sensors, Switches,
+/// MinusInf, Method, InputKind, Mode and CommandType.
 template <class SettingsOrConst, class Visit>
 void for_each_parameter(SettingsOrConst& settings, Visit visit) {
   for_each_look_parameter(settings, visit);

@@ -67,7 +67,9 @@ void bind_results(py::module& module) {
       .value("NO_TIME", core::Cause::NoTime)
       .value("NO_COMMAND", core::Cause::NoCommand)
       .value("BAD_COMMAND", core::Cause::BadCommand)
-      .value("NO_ODOMETRY", core::Cause::NoOdometry);
+      .value("NO_ODOMETRY", core::Cause::NoOdometry)
+      .value("BUMPER", core::Cause::Bumper)
+      .value("CLIFF", core::Cause::Cliff);
   py::class_<core::Obstacle>(module, "Obstacle")
       .def_property_readonly("distance", &core::Obstacle::distance)
       .def_property_readonly("point", &point_of)

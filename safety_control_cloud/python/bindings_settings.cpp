@@ -33,6 +33,20 @@ py::object object_of(const core::Sensors& sensors) {
   return list;
 }
 
+py::object object_of(const core::Switches& switches) {
+  py::list list;
+  for (const core::SwitchSettings& one : switches) {
+    py::dict entry;
+    entry["name"] = one.name;
+    entry["type"] = core::name_of(one.type);
+    entry["topic"] = one.topic;
+    if (one.side) entry["side"] = core::name_of(*one.side);
+    entry["timeout"] = one.timeout;
+    list.append(entry);
+  }
+  return list;
+}
+
 template <class Choice, class Named>
 void take_choice(const py::handle& given, Choice& value, Named named, const char* otherwise) {
   const auto choice = py::isinstance<py::str>(given) ? named(given.cast<std::string>()) : std::nullopt;
@@ -91,11 +105,40 @@ core::SensorSettings sensor_in(const py::handle& given) {
   return sensor;
 }
 
-void take(const py::handle& given, core::Sensors& value, const std::string& name) {
+core::SwitchSettings switch_in(const py::handle& given) {
+  core::SwitchSettings one;
+  if (!py::isinstance<py::dict>(given)) throw py::type_error("each of switches must be a dict");
+  for (const auto& [key, value] : given.cast<py::dict>()) {
+    const std::string name = key.cast<std::string>();
+    if (name == "name") {
+      take(value, one.name, name);
+    } else if (name == "type") {
+      take_choice(value, one.type, core::switch_named, "type must be 'bumper' or 'cliff'");
+    } else if (name == "topic") {
+      take(value, one.topic, name);
+    } else if (name == "side") {
+      take_choice(value, one.side.emplace(), core::edge_named, "side must be 'front', 'front_left', 'left', ...");
+    } else if (name == "timeout") {
+      take(value, one.timeout, name);
+    } else {
+      throw py::type_error("a switch has no " + name);
+    }
+  }
+  return one;
+}
+
+py::sequence list_in(const py::handle& given, const std::string& name) {
   if (!py::isinstance<py::sequence>(given) || py::isinstance<py::str>(given))
-    throw py::type_error(name + " must be a list of sensors");
+    throw py::type_error(name + " must be a list of " + name);
+  return given.cast<py::sequence>();
+}
+void take(const py::handle& given, core::Sensors& value, const std::string& name) {
   value.clear();
-  for (const py::handle sensor : given) value.push_back(sensor_in(sensor));
+  for (const py::handle sensor : list_in(given, name)) value.push_back(sensor_in(sensor));
+}
+void take(const py::handle& given, core::Switches& value, const std::string& name) {
+  value.clear();
+  for (const py::handle one : list_in(given, name)) value.push_back(switch_in(one));
 }
 
 py::error_already_set no_parameter(const std::string& name) {

@@ -70,6 +70,10 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
       "footprint", 1,
       boost::function<void(const geometry_msgs::PolygonStamped::ConstPtr&)>(
           [this](const geometry_msgs::PolygonStamped::ConstPtr& polygon) { on_footprint(*polygon); }));
+  for (const SwitchSettings& one : settings.switches) {
+    const auto on_word = [this, which = switches_.size()](Edge edge, bool touched) { on_switch(which, edge, touched); };
+    switches_.push_back(std::make_unique<SwitchInput>(handle, one, on_word));
+  }
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     channels_[i]->open(
         handle, private_handle, delivery, [this, i](const Arrival& arrival) { on_arrival(i, arrival); },
@@ -118,6 +122,13 @@ void GuardNode::see(std::size_t sensor, const Arrival& arrival, const Instant& c
   } catch (const std::exception& problem) {
     control_.see(Unreadable{problem.what()}, origin, came, sensor);
   }
+}
+
+void GuardNode::on_switch(std::size_t which, Edge edge, bool touched) {
+  const Instant came = now();
+  gap_.beat(came, control_.settings());
+  control_.note_switch(which, edge, touched, came);
+  publish(answer());
 }
 
 /// Whole or not at all. What was collected for another outline is of no use: the robot stands until the next cloud.
@@ -171,6 +182,10 @@ const Guarded& GuardNode::answer() {
   control_.note_outside(commands_.doubt());
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     if (!channels_[i]->has_sent()) control_.note_about(i, lost_things_.nothing_seen(channels_[i]->why_nothing_came()));
+  }
+  for (std::size_t i = 0; i < switches_.size(); ++i) {
+    switches_[i]->hear_anew_if_left();
+    control_.note_about_switch(i, switches_[i]->doubt());
   }
   answered_at_ = now();
   const Guarded& answer = control_.answer(answered_at_);

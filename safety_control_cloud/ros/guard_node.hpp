@@ -18,6 +18,7 @@
 #include "input/camera_place.hpp"
 #include "input/channel.hpp"
 #include "input/own_gap.hpp"
+#include "input/switch_input.hpp"
 #include "memory/lost_things.hpp"
 #include "node.hpp"
 #include "output/diagnostics.hpp"
@@ -42,6 +43,7 @@ class GuardNode : public Node {
  private:
   void on_arrival(std::size_t sensor, const Arrival& arrival);
   void on_wanted(const geometry_msgs::Twist& wanted, std::optional<double> stamp);
+  void on_switch(std::size_t which, Edge edge, bool touched);
   void on_footprint(const geometry_msgs::PolygonStamped& polygon);
   void on_odometry(const nav_msgs::Odometry& odometry);
   void on_quiet();
@@ -55,7 +57,8 @@ class GuardNode : public Node {
 
   Log log_;
   GuardControl control_;
-  std::vector<std::unique_ptr<Channel>> channels_;  ///< in the order of the control's sensors
+  std::vector<std::unique_ptr<Channel>> channels_;      ///< in the order of the control's sensors
+  std::vector<std::unique_ptr<SwitchInput>> switches_;  ///< in the order of the settings
   Commands commands_;
   CameraPlace base_;  ///< whose frame the camera is placed in
   GuardReports reports_;

@@ -91,16 +91,21 @@ Taking::Problem Taking::into(Lists& setting) const {
   return "must be a list of lists of numbers";
 }
 
-Taking::Problem Taking::into(Sensors& setting) const {
+template <class Entry>
+Taking::Problem Taking::into_list(std::vector<Entry>& setting, const char* otherwise) const {
   XmlRpcValue value = given;
-  if (value.getType() != XmlRpcValue::TypeArray) return "must be a list of sensors";
+  if (value.getType() != XmlRpcValue::TypeArray) return otherwise;
   setting.clear();
   for (int i = 0; i < value.size(); ++i) {
     setting.emplace_back();
-    if (const auto problem = Taking{value[i]}.into_sensor(setting.back())) return words("[", i, "] ", *problem);
+    if (const auto problem = Taking{value[i]}.into_entry(setting.back())) return words("[", i, "] ", *problem);
   }
   return std::nullopt;
 }
+
+Taking::Problem Taking::into(Sensors& setting) const { return into_list(setting, "must be a list of sensors"); }
+
+Taking::Problem Taking::into(Switches& setting) const { return into_list(setting, "must be a list of switches"); }
 
 Taking::Problem Taking::into(Method& setting) const {
   return into_choice(setting, method_named, "must be one_pass or pcl");
@@ -120,7 +125,32 @@ Taking::Problem Taking::into(CommandType& setting) const {
   return into_choice(setting, command_type_named, "must be twist or twist_stamped");
 }
 
-Taking::Problem Taking::into_sensor(SensorSettings& sensor) const {
+Taking::Problem Taking::into_entry(SwitchSettings& one) const {
+  XmlRpcValue entry = given;
+  if (entry.getType() != XmlRpcValue::TypeStruct) return "must have a name, a type and a topic";
+  for (auto& [key, value] : entry) {
+    const Taking taking{value};
+    Problem problem;
+    if (key == "name") {
+      problem = taking.into(one.name);
+    } else if (key == "type") {
+      problem = taking.into_choice(one.type, switch_named, "must be bumper or cliff");
+    } else if (key == "topic") {
+      problem = taking.into(one.topic);
+    } else if (key == "side") {
+      one.side = Edge::Front;
+      problem = taking.into_choice(*one.side, edge_named, "must be front, front_left, left, rear_left, rear, ...");
+    } else if (key == "timeout") {
+      problem = taking.into(one.timeout);
+    } else {
+      return "has no " + key;
+    }
+    if (problem) return key + " " + *problem;
+  }
+  return std::nullopt;
+}
+
+Taking::Problem Taking::into_entry(SensorSettings& sensor) const {
   XmlRpcValue entry = given;
   if (entry.getType() != XmlRpcValue::TypeStruct) return "must have a name, a type and a topic";
   for (auto& [key, value] : entry) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "../core/settings.hpp"
 
@@ -24,6 +25,7 @@ struct Taking {
   Problem into(std::string& setting) const;
   Problem into(Lists& setting) const;  ///< as YAML has them, or as a text of the same form
   Problem into(Sensors& setting) const;
+  Problem into(Switches& setting) const;
   Problem into(Method& setting) const;
   Problem into(MinusInf& setting) const;
   Problem into(InputKind& setting) const;
@@ -31,7 +33,10 @@ struct Taking {
   Problem into(CommandType& setting) const;
 
  private:
-  Problem into_sensor(SensorSettings& sensor) const;
+  template <class Entry>
+  Problem into_list(std::vector<Entry>& setting, const char* otherwise) const;
+  Problem into_entry(SensorSettings& sensor) const;
+  Problem into_entry(SwitchSettings& one) const;
   Problem into_own(const std::string& name, double& setting) const;
   template <class Choice, class Named>
   Problem into_choice(Choice& setting, Named named, const char* otherwise) const;

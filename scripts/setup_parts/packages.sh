@@ -18,7 +18,7 @@ debian_packages=(
   ros-core ros-core-dev rosbash catkin                     # ROS itself
   libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev libgeometry-msgs-dev libimage-transport-dev
   libnav-msgs-dev libnodelet-dev libnodeletlib-dev libnodeletlib-tools libpcl-conversions-dev libpcl-ros-dev
-  libsensor-msgs-dev libstd-srvs-dev libtf2-ros-dev libvisualization-msgs-dev python3-dynamic-reconfigure python3-nodelet
+  libsensor-msgs-dev libstd-srvs-dev libtf2-ros-dev libtopic-tools-dev libvisualization-msgs-dev python3-dynamic-reconfigure python3-nodelet
   python3-diagnostic-msgs python3-geometry-msgs python3-nav-msgs python3-rosbag python3-rosgraph-msgs python3-roslaunch
   python3-roslib python3-roslz4 python3-rosmaster python3-rosmsg python3-rosnode python3-rosparam python3-rospkg
   python3-rostopic python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf2-msgs python3-tf2-ros
@@ -40,7 +40,7 @@ gazebo_packages=(gazebo libgazebo-dev)
 ros_packages=(
   catkin diagnostic-updater dynamic-reconfigure geometry-msgs image-transport message-generation message-runtime nodelet
   pcl-conversions pcl-ros rosbag rosbash roscpp roslaunch rospy sensor-msgs std-msgs std-srvs
-  nav-msgs rosgraph-msgs rosnode tf2-msgs tf2-ros visualization-msgs
+  nav-msgs rosgraph-msgs rosnode tf2-msgs tf2-ros topic-tools visualization-msgs
   robot-state-publisher rviz
 )
 ros_check_packages=(depth-image-proc rostest)

@@ -54,6 +54,28 @@ TEST(Taking, OfASensorWhatIsOfAnotherKindIsNamedWithItsPlace) {
   EXPECT_EQ(problem_of(list_of(sensor({{"min_points", true}}))), "[0] min_points must be a number");
 }
 
+TEST(Taking, ASwitchHasANameATypeATopicAndMayHaveASideAndATimeout) {
+  Switches switches;
+  ASSERT_FALSE(Taking{
+      list_of(sensor({{"name", "edge"}, {"type", "cliff"}, {"topic", "cliff"}, {"side", "rear_left"}, {"timeout", 1}}))}
+                   .into(switches));
+  EXPECT_EQ(switches, (Switches{{"edge", SwitchKind::Cliff, "cliff", Edge::RearLeft, 1.0}}));
+  ASSERT_FALSE(Taking{list_of(sensor({{"name", "kobuki"}, {"type", "bumper"}, {"topic", "events"}}))}.into(switches));
+  EXPECT_EQ(switches, (Switches{{"kobuki", SwitchKind::Bumper, "events", std::nullopt, 0.0}}));
+}
+
+TEST(Taking, OfASwitchWhatIsOfAnotherKindIsNamedWithItsPlace) {
+  Switches switches;
+  const auto problem = [&](const XmlRpcValue& value) { return Taking{value}.into(switches).value_or(""); };
+  EXPECT_EQ(problem(XmlRpcValue("front")), "must be a list of switches");
+  EXPECT_EQ(problem(list_of(XmlRpcValue(7))), "[0] must have a name, a type and a topic");
+  EXPECT_EQ(problem(list_of(sensor({{"type", "button"}}))), "[0] type must be bumper or cliff");
+  EXPECT_EQ(problem(list_of(sensor({{"side", "ahead"}}))).substr(0, 22), "[0] side must be front");
+  EXPECT_EQ(problem(list_of(sensor({{"side", 0}}))).substr(0, 22), "[0] side must be front");
+  EXPECT_EQ(problem(list_of(sensor({{"timeout", "1 s"}}))), "[0] timeout must be a number");
+  EXPECT_EQ(problem(list_of(sensor({{"required", true}}))), "[0] has no required");
+}
+
 TEST(Taking, AFlagIsTrueOrFalse) {
   bool flag = false;
   EXPECT_FALSE(Taking{XmlRpcValue(true)}.into(flag));

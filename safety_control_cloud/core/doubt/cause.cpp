@@ -43,6 +43,10 @@ const char* name_of(Cause cause) {
       return "BAD_COMMAND";
     case Cause::NoOdometry:
       return "NO_ODOMETRY";
+    case Cause::Bumper:
+      return "BUMPER";
+    case Cause::Cliff:
+      return "CLIFF";
   }
   return "UNKNOWN";
 }

@@ -26,6 +26,8 @@ enum class Cause : std::uint8_t {
   NoCommand = 16,      ///< guard: nobody commands the robot, or not for command_timeout
   BadCommand = 17,     ///< guard: a command holds NaN, an infinity, what no robot can drive, or a stamp that is 0, old or ahead
   NoOdometry = 18,     ///< guard: odometry jumped or stopped, and what is out of sight cannot be placed
+  Bumper = 19,         ///< guard: the robot touches something, or did until just now
+  Cliff = 20,          ///< guard: the floor ends under the robot's edge, or did until just now
 };
 
 const char* name_of(Cause cause);  ///< "SEEN", "NO_CLOUD", ...

@@ -97,16 +97,22 @@ Allowed Guard::by_speed(const Twist2& wanted) const {
   return allowed;
 }
 
-/// Where nobody looks, no faster than is said for that; nor than out of the margin, away from what was lost from sight.
+/// Where nobody looks, no faster than is said for that; nor than out of the margin, away from what was lost.
 Allowed Guard::by_eyes(const Twist2& wanted, const std::vector<Known>& known) const {
   const double time = 1.0;  // the direction counts, not the way
+  const auto slowly_from = [&](const Known& one, Allowed least) {
+    if (!one.lost) return least;
+    return lesser(std::move(least), capped(wanted, settings_.escape_speed, one.lost->reason));
+  };
+  Allowed least;
+  for (const Known& one : known)
+    if (one.is_touched) least = slowly_from(one, std::move(least));
   const auto looks_there = [&](const Known& one) {
     return !one.lost && one.eye && !leads_into_the_unseen(outline_, *one.eye, wanted, time);
   };
-  if (std::any_of(known.begin(), known.end(), looks_there)) return {};
-  Allowed least = capped(wanted, settings_.unseen_speed, "no sensor looks there: unseen_speed");
-  for (const Known& one : known)
-    if (one.lost) least = lesser(std::move(least), capped(wanted, settings_.escape_speed, one.lost->reason));
+  if (std::any_of(known.begin(), known.end(), looks_there)) return least;
+  least = lesser(std::move(least), capped(wanted, settings_.unseen_speed, "no sensor looks there: unseen_speed"));
+  for (const Known& one : known) least = slowly_from(one, std::move(least));
   return least;
 }
 

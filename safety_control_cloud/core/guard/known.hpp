@@ -23,6 +23,7 @@ struct Known {
   std::optional<Eye> eye;      ///< where it looks
   std::optional<Doubt> doubt;  ///< why it is not to be believed: nothing is safe
   std::optional<Doubt> lost;   ///< why it is not to be believed where it looks: only away from there
+  bool is_touched = false;     ///< by what was lost: then slowly, though another sensor looks there
 };
 
 }  // namespace safety_control_cloud

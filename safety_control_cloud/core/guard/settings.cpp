@@ -48,6 +48,7 @@ void check(const GuardSettings& guard, Problems& problems) {
   check_footprint(guard, problems);
   check_boxes(guard, problems);
   check(guard.sensors, problems);
+  check(guard.switches, problems);
   problems.require(!guard.base_frame.empty(), "base_frame must not be empty");
   problems.require(guard.command_max_age > 0.0, "command_max_age must be positive");
   problems.require(guard.command_timeout > 0.0, "command_timeout must be positive");
@@ -66,6 +67,7 @@ void check(const GuardSettings& guard, Problems& problems) {
   problems.require(guard.memory_distance >= 0.0, "memory_distance must not be negative");
   problems.require(guard.memory_time >= 0.0, "memory_time must not be negative");
   problems.require(guard.odometry_drift >= 0.0, "odometry_drift must not be negative");
+  problems.require(guard.switch_release_time >= 0.0, "switch_release_time must not be negative");
 }
 
 Footprint footprint_of(const GuardSettings& guard) {

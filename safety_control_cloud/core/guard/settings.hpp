@@ -11,6 +11,7 @@
 #include "../text/problems.hpp"
 #include "lists.hpp"
 #include "sensors.hpp"
+#include "switches.hpp"
 
 namespace safety_control_cloud {
 
@@ -59,6 +60,8 @@ struct GuardSettings {
   double memory_time = 30.0;          ///< [s] for so long
   double odometry_drift = 0.02;       ///< [m/m], [rad/rad] by which odometry may be off
   Sensors sensors;                    ///< none: the one of `input`
+  Switches switches;                  ///< bumpers and cliff sensors
+  double switch_release_time = 0.5;   ///< [s] for which one must have been released before its side is open
 };
 
 /// Calls visit(name, value) for every parameter; `guard` may be const.
@@ -89,6 +92,8 @@ void for_each_guard_parameter(GuardSettingsOrConst& guard, Visit& visit) {
   visit("memory_time", guard.memory_time);
   visit("odometry_drift", guard.odometry_drift);
   visit("sensors", guard.sensors);
+  visit("switches", guard.switches);
+  visit("switch_release_time", guard.switch_release_time);
 }
 
 void check(const GuardSettings& guard, Problems& problems);

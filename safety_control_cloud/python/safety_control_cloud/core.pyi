@@ -40,6 +40,8 @@ class Cause:
     NO_COMMAND: Cause
     BAD_COMMAND: Cause
     NO_ODOMETRY: Cause
+    BUMPER: Cause
+    CLIFF: Cause
     name: str
     def __int__(self) -> int: ...
 
@@ -104,6 +106,8 @@ class Settings:
     memory_time: float
     odometry_drift: float
     sensors: List[Dict[str, Any]]
+    switches: List[Dict[str, Any]]
+    switch_release_time: float
     publish_rate: float
     depth_minus_inf: str
     inf_is_free: bool
@@ -303,6 +307,8 @@ class GuardControl:
         with vx, vy [m/s], w [rad/s] of its own."""
     def note_outside(self, cause: Optional[Cause], reason: str = "") -> None:
         """What is in doubt outside of the sensors: from the next answer on it stands for it, until there is none."""
+    def note_switch(self, which: str, side: str, touched: bool, now: float) -> None:
+        """The switch of this name says of a side of the robot whether it is touched there."""
     def ask_override(
         self, seconds: float, speed: float, now: float, ros_now: Optional[float] = None, even_in_doubt: bool = False
     ) -> Tuple[bool, str]:

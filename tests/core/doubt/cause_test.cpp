@@ -11,12 +11,12 @@ namespace {
 
 TEST(Cause, EachHasANameOfItsOwn) {
   std::set<std::string> names;
-  for (int number = 0; number <= 18; ++number) names.insert(name_of(static_cast<Cause>(number)));
-  EXPECT_EQ(names.size(), std::size_t{19});
+  for (int number = 0; number <= 20; ++number) names.insert(name_of(static_cast<Cause>(number)));
+  EXPECT_EQ(names.size(), std::size_t{21});
   EXPECT_EQ(names.count("UNKNOWN"), std::size_t{0});
 }
 
-TEST(Cause, OneThatDoesNotExistIsSaidToBeUnknown) { EXPECT_STREQ(name_of(static_cast<Cause>(19)), "UNKNOWN"); }
+TEST(Cause, OneThatDoesNotExistIsSaidToBeUnknown) { EXPECT_STREQ(name_of(static_cast<Cause>(21)), "UNKNOWN"); }
 
 /// As SafetyState.msg has them: bags keep the numbers.
 TEST(Cause, NumbersStay) {
@@ -24,6 +24,7 @@ TEST(Cause, NumbersStay) {
   EXPECT_STREQ(name_of(static_cast<Cause>(8)), "NEAR_LOSS");
   EXPECT_STREQ(name_of(static_cast<Cause>(17)), "BAD_COMMAND");
   EXPECT_STREQ(name_of(static_cast<Cause>(18)), "NO_ODOMETRY");
+  EXPECT_STREQ(name_of(static_cast<Cause>(20)), "CLIFF");
 }
 
 }  // namespace

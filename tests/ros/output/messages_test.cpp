@@ -64,7 +64,9 @@ TEST(Messages, EveryCauseBearsTheSameNumberAndNameInTheMessage) {
                                                            {SafetyState::NO_TIME, "NO_TIME"},
                                                            {SafetyState::NO_COMMAND, "NO_COMMAND"},
                                                            {SafetyState::BAD_COMMAND, "BAD_COMMAND"},
-      {SafetyState::NO_ODOMETRY, "NO_ODOMETRY"}};
+                                                           {SafetyState::NO_ODOMETRY, "NO_ODOMETRY"},
+                                                           {SafetyState::BUMPER, "BUMPER"},
+                                                           {SafetyState::CLIFF, "CLIFF"}};
   for (const auto& [number, name] : causes) EXPECT_STREQ(name_of(static_cast<Cause>(number)), name);
   EXPECT_STREQ(name_of(static_cast<Cause>(causes.back().first + 1)), "UNKNOWN") << "a cause is missing in this table";
 }

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "closed_edges.hpp"
+
+#include "../text/words.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+const std::vector<Ring> nothing_seen;
+
+Known said_by(const SwitchSettings& one) {
+  Known known;
+  known.sensor = one.name;
+  known.rings = &nothing_seen;
+  return known;
+}
+
+std::string in_words(SwitchKind kind, Edge edge) {
+  return words(kind == SwitchKind::Cliff ? "the floor ends at the " : "something touches the ", name_of(edge));
+}
+
+}  // namespace
+
+void ClosedEdges::note(std::size_t which, Edge edge, bool touched, double now) {
+  State& state = states_[which];
+  state.spoke_at = now;
+  if (!touched && state.words.count(edge) == 0) return;
+  Word& word = state.words[edge];
+  if (word.touched != touched) word = {touched, now};
+}
+
+std::vector<Known> ClosedEdges::known_at(double now, double release_time) const {
+  std::vector<Known> all;
+  for (const State& state : states_) {
+    const SwitchSettings& one = state.settings;
+    const bool is_silent = one.timeout > 0.0 && !(state.spoke_at && now - *state.spoke_at <= one.timeout);
+    if (state.outside || is_silent) {
+      all.push_back(said_by(one));
+      all.back().doubt = state.outside ? *state.outside : Doubt{Cause::Silent, "no word of it for its timeout"};
+    }
+    for (const auto& [edge, word] : state.words) {
+      if (!word.touched && now - word.since >= release_time) continue;
+      Known closed = said_by(one);
+      closed.is_touched = true;
+      closed.eye = Eye{{}, direction_of(edge), 0.0};
+      const std::string reason =
+          word.touched ? in_words(one.type, edge) : words("it was so until just now: ", in_words(one.type, edge));
+      closed.lost = Doubt{one.type == SwitchKind::Cliff ? Cause::Cliff : Cause::Bumper, reason};
+      all.push_back(std::move(closed));
+    }
+  }
+  return all;
+}
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "known.hpp"
+#include "switches.hpp"
+
+namespace safety_control_cloud {
+
+/// Which edges of the robot its switches close: each from the first touch until it has been released and held so.
+class ClosedEdges {
+ public:
+  explicit ClosedEdges(const Switches& switches) : states_(switches.begin(), switches.end()) {}
+
+  /// A switch says of an edge whether it is touched there, at `now` [s, steady].
+  void note(std::size_t which, Edge edge, bool touched, double now);
+
+  /// What speaks against a switch that its messages do not tell; none: nothing any more.
+  void note_outside(std::size_t which, std::optional<Doubt> doubt) { states_[which].outside = std::move(doubt); }
+
+  /// Of each switch that closes an edge, and of each in doubt, as of a sensor; `release_time` [s] is how long one is
+  /// held.
+  std::vector<Known> known_at(double now, double release_time) const;
+
+ private:
+  struct Word {
+    bool touched = false;
+    double since = 0.0;  ///< [s, steady]
+  };
+  struct State {
+    State(const SwitchSettings& of) : settings(of) {}
+
+    SwitchSettings settings;
+    std::map<Edge, Word> words;
+    std::optional<double> spoke_at;  ///< [s, steady]
+    std::optional<Doubt> outside;
+  };
+
+  std::vector<State> states_;
+};
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "switch_input.hpp"
+
+#include <ros/serialization.h>
+
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "switch_word.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr std::uint32_t unread = 100;  ///< a word that tells of a change must not be lost behind later ones
+
+std::vector<std::uint8_t> bytes_of(const topic_tools::ShapeShifter& message) {
+  std::vector<std::uint8_t> bytes(message.size());
+  ros::serialization::OStream stream(bytes.data(), message.size());
+  message.write(stream);
+  return bytes;
+}
+
+/// Of the message, or of the settings: one of them says it.
+Edge edge_of(const SwitchWord& word, const SwitchSettings& settings) {
+  if (word.side && settings.side) throw std::invalid_argument("its messages say their side: leave out side");
+  if (!word.side && !settings.side) throw std::invalid_argument("its messages say no side: set side");
+  return word.side ? *word.side : *settings.side;
+}
+
+}  // namespace
+
+SwitchInput::SwitchInput(ros::NodeHandle& handle, const SwitchSettings& settings, OnSwitch on_switch)
+    : settings_(settings), on_switch_(std::move(on_switch)), handle_(handle) {
+  subscribe();
+}
+
+void SwitchInput::subscribe() {
+  subscriber_.shutdown();
+  subscriber_ = handle_.subscribe<topic_tools::ShapeShifter>(
+      settings_.topic, unread,
+      boost::function<void(const topic_tools::ShapeShifter::ConstPtr&)>(
+          [this](const topic_tools::ShapeShifter::ConstPtr& message) { on_message(*message); }),
+      nullptr, ros::TransportHints().tcpNoDelay());
+}
+
+void SwitchInput::hear_anew_if_left() {
+  const bool is_connected = subscriber_.getNumPublishers() > 0;
+  if (was_connected_ && !is_connected) {
+    unreadable_.reset();
+    subscribe();
+  }
+  was_connected_ = is_connected;
+}
+
+void SwitchInput::on_message(const topic_tools::ShapeShifter& message) {
+  try {
+    const SwitchWord word = word_in(message.getDataType(), bytes_of(message));
+    const Edge edge = edge_of(word, settings_);
+    unreadable_.reset();
+    on_switch_(edge, word.touched);
+  } catch (const std::invalid_argument& problem) {
+    unreadable_ = Doubt{Cause::Unreadable, problem.what()};
+  }
+}
+
+std::optional<Doubt> SwitchInput::doubt() const {
+  if (unreadable_) return unreadable_;
+  if (subscriber_.getNumPublishers() > 0) return std::nullopt;
+  return Doubt{Cause::Silent, "nobody publishes " + subscriber_.getTopic()};
+}
+
+}  // namespace safety_control_cloud

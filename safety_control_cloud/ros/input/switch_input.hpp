@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/subscriber.h>
+#include <topic_tools/shape_shifter.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "../../core/doubt/doubt.hpp"
+#include "../../core/guard/switches.hpp"
+
+namespace safety_control_cloud {
+
+using OnSwitch = std::function<void(Edge edge, bool touched)>;
+
+/// One switch's way into the node, whatever type its topic has.
+class SwitchInput {
+ public:
+  /// Each word that can be read is handed over.
+  SwitchInput(ros::NodeHandle& handle, const SwitchSettings& settings, OnSwitch on_switch);
+  SwitchInput(const SwitchInput&) = delete;
+  SwitchInput& operator=(const SwitchInput&) = delete;
+
+  /// Hears any type again once its publishers have left: a subscription keeps to the type of the first.
+  void hear_anew_if_left();
+
+  /// Why what it said last is not to be believed: nobody publishes it, or its last message cannot be read.
+  std::optional<Doubt> doubt() const;
+
+ private:
+  void subscribe();
+  void on_message(const topic_tools::ShapeShifter& message);
+
+  const SwitchSettings settings_;
+  OnSwitch on_switch_;
+  std::optional<Doubt> unreadable_;
+  ros::NodeHandle handle_;
+  ros::Subscriber subscriber_;
+  bool was_connected_ = false;
+};
+
+}  // namespace safety_control_cloud

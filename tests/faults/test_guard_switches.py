@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bumpers and cliff sensors close a side of a guarded robot, whatever the camera shows."""
+import pytest
+import rospy
+from genpy.dynamic import generate_dynamic
+from guarded import ZERO, bits, guarded_robot, twist
+from robot import eventually
+from std_msgs.msg import Bool, Int8
+
+PARAMETERS = "/safety_control_cloud/"
+# As kobuki_msgs has it, which Debian has not.
+BUMPER_EVENT = generate_dynamic("kobuki_msgs/BumperEvent", "uint8 bumper\nuint8 state\n")["kobuki_msgs/BumperEvent"]
+SWITCHES = [
+    {"name": "front", "type": "bumper", "topic": "bumper", "side": "front"},
+    {"name": "edge", "type": "cliff", "topic": "cliff", "side": "rear", "timeout": 0.5},
+    {"name": "kobuki", "type": "bumper", "topic": "mobile_base/events/bumper"},
+]
+AHEAD, BACK = twist(0.3), twist(-0.3)
+
+
+class Switch:
+    """Publishes what a switch says; one that has a timeout, again and again."""
+
+    def __init__(self, topic, kind, said=None):
+        self.publisher = rospy.Publisher(topic, kind, queue_size=10)
+        self.said = said
+        self.timer = rospy.Timer(rospy.Duration(0.1), lambda event: self.publisher.publish(self.said)) if said is not None else None
+
+    def say(self, *said):
+        eventually(self.publisher.get_num_connections)
+        if self.timer:
+            self.said = said[0]
+        self.publisher.publish(*said)
+
+    def end(self):
+        if self.timer:
+            self.timer.shutdown()
+        self.publisher.unregister()
+
+
+@pytest.fixture(scope="module")
+def robot(master):
+    rospy.set_param(PARAMETERS + "switches", SWITCHES)
+    rospy.set_param(PARAMETERS + "mode", "guard")
+    switches = [Switch("/bumper", Bool), Switch("/cliff", Bool, False), Switch("/mobile_base/events/bumper", BUMPER_EVENT)]
+    with guarded_robot() as robot:
+        robot.front, robot.edge, robot.kobuki = switches
+        yield robot
+    for switch in switches:
+        switch.end()
+
+
+def gives(robot, speed):
+    return robot.gives(lambda state: abs(state.given.linear.x - speed) < 1e-9)
+
+
+def test_a_bumper_that_is_pressed_leaves_the_way_back_at_escape_speed(robot):
+    robot.driver.say(AHEAD)
+    robot.passes(AHEAD)
+    robot.front.say(True)
+    state = robot.stands("BUMPER")
+    assert (state.sensor, state.open, state.stuck) == ("front", 2, True)
+    robot.driver.say(BACK)
+    gives(robot, -0.1)
+    robot.front.say(False)
+    robot.driver.say(AHEAD)
+    robot.passes(AHEAD)
+
+
+def test_the_first_command_after_a_touch_is_zero(robot):
+    robot.driver.say(AHEAD)
+    robot.passes(AHEAD)
+    robot.front.say(True)
+    robot.stands("BUMPER")
+    said = [bits(command) for command in robot.commands.all()]
+    robot.front.say(False)
+    last = len(said) - said[::-1].index(bits(AHEAD))
+    assert set(said[last:]) == {ZERO}
+    robot.passes(AHEAD)
+
+
+def test_a_kobuki_says_which_of_its_bumpers(robot):
+    robot.driver.say(AHEAD)
+    robot.passes(AHEAD)
+    robot.kobuki.say(0, 1)
+    assert "front_left" in robot.stands("BUMPER").reason
+    robot.kobuki.say(1, 1)
+    robot.kobuki.say(1, 0)
+    robot.stands("BUMPER")
+    robot.kobuki.say(0, 0)
+    robot.passes(AHEAD)
+
+
+def test_a_cliff_behind_closes_the_way_back(robot):
+    robot.driver.say(BACK)
+    robot.edge.say(True)
+    robot.stands("CLIFF")
+    robot.driver.say(AHEAD)
+    gives(robot, 0.1)
+    robot.edge.say(False)
+    robot.passes(AHEAD)
+
+
+def test_one_that_should_speak_and_does_not_stops_the_robot(robot):
+    robot.driver.say(AHEAD)
+    robot.passes(AHEAD)
+    robot.edge.end()
+    state = robot.stands("SILENT")
+    assert state.sensor == "edge"
+    robot.edge = Switch("/cliff", Bool, False)
+    robot.passes(AHEAD)
+    robot.edge.end()
+    robot.edge = Switch("/cliff", Int8, 0)
+    assert "std_msgs/Int8" in robot.stands("UNREADABLE").reason
+    robot.edge.end()
+    robot.edge = Switch("/cliff", Bool, False)
+    robot.passes(AHEAD)
+
+
+def test_one_that_nobody_publishes_stops_the_robot_and_is_named(robot):
+    robot.driver.say(AHEAD)
+    robot.passes(AHEAD)
+    robot.front.end()
+    state = robot.stands("SILENT")
+    assert state.sensor == "front" and "/bumper" in state.reason
+    robot.front = Switch("/bumper", Bool)
+    robot.passes(AHEAD)
