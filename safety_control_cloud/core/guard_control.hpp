@@ -51,6 +51,11 @@ class GuardControl {
   /// The base says where it is.
   void note_odometry(double stamp, const Pose2& pose, const Twist2& twist) { odometry_.note(stamp, pose, twist); }
 
+  /// The same of whom tells poses alone.
+  void note_pose(double stamp, const Pose2& pose) {
+    odometry_.note_pose(stamp, pose, settings_.max_speed, settings_.max_turn);
+  }
+
   /// What is in doubt outside of the sensors. From the next answer on the robot stands for it, until there is none.
   void note_outside(std::optional<Doubt> doubt) { outside_ = std::move(doubt); }
 

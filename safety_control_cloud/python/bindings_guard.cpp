@@ -94,6 +94,12 @@ void bind_guard(py::module& module) {
           },
           py::arg("stamp"), py::arg("pose"), py::arg("twist"))
       .def(
+          "note_pose",
+          [](core::GuardControl& control, double stamp, const Triple& pose) {
+            control.note_pose(stamp, {{pose[0], pose[1]}, pose[2]});
+          },
+          py::arg("stamp"), py::arg("pose"))
+      .def(
           "note_outside",
           [](core::GuardControl& control, const std::optional<core::Cause>& cause, const std::string& reason) {
             control.note_outside(cause ? std::optional(core::Doubt{*cause, reason}) : std::nullopt);

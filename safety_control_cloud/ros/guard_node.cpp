@@ -7,19 +7,13 @@
 
 #include "command/leaving.hpp"
 #include "input/footprint_message.hpp"
+#include "input/poses.hpp"
 #include "input/wanted.hpp"
 #include "output/guard_messages.hpp"
 #include "time/moments.hpp"
 
 namespace safety_control_cloud {
 namespace {
-
-Pose2 to_pose(const geometry_msgs::Pose& pose) {
-  const auto& turn = pose.orientation;
-  const double heading =
-      std::atan2(2.0 * (turn.w * turn.z + turn.x * turn.y), 1.0 - 2.0 * (turn.y * turn.y + turn.z * turn.z));
-  return {{pose.position.x, pose.position.y}, heading};
-}
 
 std::vector<std::string> names_of(const Sensors& sensors) {
   std::vector<std::string> names;
@@ -61,11 +55,15 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
   wanted_ = subscribe_to_wanted(
       handle, settings.command_type,
       [this](const geometry_msgs::Twist& wanted, std::optional<double> stamp) { on_wanted(wanted, stamp); });
-  odometry_ = handle.subscribe<nav_msgs::Odometry>(
-      "odom", 10,
-      boost::function<void(const nav_msgs::Odometry::ConstPtr&)>(
-          [this](const nav_msgs::Odometry::ConstPtr& odometry) { on_odometry(*odometry); }),
-      nullptr, at_once);
+  if (settings.odom_frame.empty()) {
+    odometry_ = handle.subscribe<nav_msgs::Odometry>(
+        "odom", 10,
+        boost::function<void(const nav_msgs::Odometry::ConstPtr&)>(
+            [this](const nav_msgs::Odometry::ConstPtr& odometry) { on_odometry(*odometry); }),
+        nullptr, at_once);
+  } else {
+    tf_odometry_.emplace(settings.odom_frame, settings.base_frame);
+  }
   footprint_ = private_handle.subscribe<geometry_msgs::PolygonStamped>(
       "footprint", 1,
       boost::function<void(const geometry_msgs::PolygonStamped::ConstPtr&)>(
@@ -116,6 +114,7 @@ void GuardNode::see(std::size_t sensor, const Arrival& arrival, const Instant& c
   const double stamp = arrival.header.stamp.toSec();
   Origin origin{stamp, OpticalFrame{}, arrival.source, arrival.header.frame_id};
   control_.note_about(sensor, gap_.doubt_about(stamp, came, control_.settings()));
+  note_transform();
   try {
     origin.placing = base_.at(arrival.header);
     control_.see(arrival.reading, origin, came, sensor);
@@ -154,7 +153,7 @@ void GuardNode::on_odometry(const nav_msgs::Odometry& odometry) {
     warned_of_frame_ = true;
   }
   const auto& twist = odometry.twist.twist;
-  control_.note_odometry(odometry.header.stamp.toSec(), to_pose(odometry.pose.pose),
+  control_.note_odometry(odometry.header.stamp.toSec(), pose_of(odometry.pose.pose),
                          {twist.linear.x, twist.linear.y, twist.angular.z});
 }
 
@@ -178,7 +177,13 @@ bool GuardNode::on_override(OverrideRequest& wish, OverrideResponse& response) {
   return true;
 }
 
+void GuardNode::note_transform() {
+  const auto told = tf_odometry_ ? tf_odometry_->next(base_.buffer()) : std::nullopt;
+  if (told) control_.note_pose(told->stamp, told->pose);
+}
+
 const Guarded& GuardNode::answer() {
+  note_transform();
   control_.note_outside(commands_.doubt());
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     if (!channels_[i]->has_sent()) control_.note_about(i, lost_things_.nothing_seen(channels_[i]->why_nothing_came()));

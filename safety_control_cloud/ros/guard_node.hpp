@@ -19,6 +19,7 @@
 #include "input/channel.hpp"
 #include "input/own_gap.hpp"
 #include "input/switch_input.hpp"
+#include "input/tf_odometry.hpp"
 #include "memory/lost_things.hpp"
 #include "node.hpp"
 #include "output/diagnostics.hpp"
@@ -51,6 +52,7 @@ class GuardNode : public Node {
 
   bool may_have_waited(const Instant& came) const;
   void see(std::size_t sensor, const Arrival& arrival, const Instant& came);
+  void note_transform();
   const Guarded& answer();
   void publish(const Guarded& answer);
   double period() const;
@@ -61,6 +63,7 @@ class GuardNode : public Node {
   std::vector<std::unique_ptr<SwitchInput>> switches_;  ///< in the order of the settings
   Commands commands_;
   CameraPlace base_;  ///< whose frame the camera is placed in
+  std::optional<TfOdometry> tf_odometry_;
   GuardReports reports_;
   LostThings lost_things_;
   ros::Subscriber wanted_, odometry_, footprint_;

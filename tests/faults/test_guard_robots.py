@@ -1,12 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The guard on robots of their own: one that is driven, a nodelet, two on one master, a footprint."""
+import math
+import time
+
 import numpy as np
 import pytest
 import rospy
+from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
 from guarded import CAMERA_TO_FRONT, Base, guarded_robot, twist
 from laser import scan_of, with_post
+from repeated import Repeated
 from robot import START
 from scenes import FRAME, HEIGHT, WIDTH, always, cloud_of, hall, wall
+from std_msgs.msg import Header
+from tf2_msgs.msg import TFMessage
 from three_sensors import robot_with_sensors
 
 from safety_control_cloud.processes import process
@@ -31,6 +38,32 @@ def test_a_robot_that_is_driven_at_a_wall_stops_before_it_and_backs_off(master):
         base.runs(1.5)
         assert base.gap > before + 0.08
         base.end()
+
+
+def odom_of(heading):
+    turned = Quaternion(0.0, 0.0, math.sin(heading[0] / 2.0), math.cos(heading[0] / 2.0))
+    transform = TransformStamped(Header(0, rospy.Time.now(), "odom"), "base_footprint", Transform(Vector3(), turned))
+    return TFMessage([transform])
+
+
+def test_of_a_robot_whose_odometry_is_tf_what_it_turned_away_from_stays(master):
+    heading = [0.0]
+    with guarded_robot(odom_frame="odom", unseen_speed=0.7) as robot:
+        tf = Repeated("/tf", TFMessage, 50.0, odom_of)
+        tf.say(heading)
+        robot.camera.show(hall(wall(0.2 + CAMERA_TO_FRONT)))
+        robot.driver.say(twist(0.3))
+        robot.gives(lambda state: state.factor < 1.0)
+        robot.driver.say(twist())
+        robot.camera.show(hall())
+        for _ in range(50):
+            time.sleep(0.04)
+            heading[0] += math.pi / 50
+        robot.driver.say(twist(-0.5))
+        state = robot.gives(lambda state: state.sensor == "memory" and state.factor < 0.9)
+        assert state.nearest_point.x == pytest.approx(-0.2 - 0.178, abs=0.05)
+        tf.end()
+        robot.stands("NO_ODOMETRY")
 
 
 def test_the_nodelet_guards_as_the_node_does(master):

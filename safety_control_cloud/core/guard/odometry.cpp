@@ -35,6 +35,16 @@ void Odometry::note(double stamp, const Pose2& pose, const Twist2& twist) {
   while (noted_.size() > most || noted_.front().stamp < stamp - kept) noted_.pop_front();
 }
 
+void Odometry::note_pose(double stamp, const Pose2& pose, double fastest, double fastest_turn) {
+  const double time = noted_.empty() ? 0.0 : stamp - noted_.back().stamp;
+  if (!(time > 0.0)) return note(stamp, pose, {});
+  const Pose2 way = between(noted_.back().pose, pose);
+  const double per_second = 1.0 / time, turn = wrapped(way.heading);
+  const Twist2 twist{way.place.x * per_second, way.place.y * per_second, turn * per_second};
+  const double share = std::min(fastest / speed_of(twist), fastest_turn / std::abs(twist.w));
+  note(stamp, pose, share < 1.0 ? limited(twist, share) : twist);
+}
+
 void Odometry::forget() {
   if (!noted_.empty()) ++breaks_;
   noted_.clear();

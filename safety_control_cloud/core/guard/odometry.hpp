@@ -16,6 +16,10 @@ class Odometry {
   /// The robot was at this pose of a frame that rests, and had this twist, at `stamp` [s, ROS time].
   void note(double stamp, const Pose2& pose, const Twist2& twist);
 
+  /// The same of whom tells poses alone: its twist is what leads there from the pose before, as far as that is no more
+  /// than `fastest` [m/s] and `fastest_turn` [rad/s]: what is faster is a jump.
+  void note_pose(double stamp, const Pose2& pose, double fastest, double fastest_turn);
+
   /// The way from `stamp` until `now` [s, ROS time]; none if it does not span that.
   std::optional<Pose2> way_since(double stamp, double now) const;
 

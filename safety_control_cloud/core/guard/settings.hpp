@@ -37,6 +37,7 @@ std::optional<CommandType> command_type_named(const std::string& name);
 struct GuardSettings {
   Mode mode = Mode::Drive;
   std::string base_frame = "base_footprint";  ///< x forward, y left, z up; what turns when the robot turns in place
+  std::string odom_frame;                     ///< in which TF says where base_frame is; empty: nav_msgs/Odometry does
   Lists footprint;                            ///< [m] corners in base_frame; none: a circle
   double radius = 0.178;                      ///< [m] of the circle, a Kobuki's; with a footprint it is not asked
   double margin = 0.05;                       ///< [m] kept clear around the footprint
@@ -69,6 +70,7 @@ template <class GuardSettingsOrConst, class Visit>
 void for_each_guard_parameter(GuardSettingsOrConst& guard, Visit& visit) {
   visit("mode", guard.mode);
   visit("base_frame", guard.base_frame);
+  visit("odom_frame", guard.odom_frame);
   visit("footprint", guard.footprint);
   visit("radius", guard.radius);
   visit("margin", guard.margin);

@@ -83,6 +83,7 @@ class Settings:
     hull: float
     mode: str
     base_frame: str
+    odom_frame: str
     footprint: str
     radius: float
     margin: float
@@ -305,6 +306,8 @@ class GuardControl:
     def note_odometry(self, stamp: float, pose: Sequence[float], twist: Sequence[float]) -> None:
         """The base says at `stamp` [s, ROS time] that it is at x, y [m], heading [rad] of a frame that rests, and moves
         with vx, vy [m/s], w [rad/s] of its own."""
+    def note_pose(self, stamp: float, pose: Sequence[float]) -> None:
+        """The same of whom tells no twist, as TF."""
     def note_outside(self, cause: Optional[Cause], reason: str = "") -> None:
         """What is in doubt outside of the sensors: from the next answer on it stands for it, until there is none."""
     def note_switch(self, which: str, side: str, touched: bool, now: float) -> None:

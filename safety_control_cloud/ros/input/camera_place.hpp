@@ -19,6 +19,8 @@ class CameraPlace {
   /// Where the camera was when the cloud was taken. A transform that is missing or too old is none.
   Placing at(const std_msgs::Header& cloud) const;
 
+  const tf2_ros::Buffer& buffer() const { return buffer_; }
+
  private:
   std::string target_frame_;
   tf2_ros::Buffer buffer_;

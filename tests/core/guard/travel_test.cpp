@@ -40,6 +40,43 @@ TEST(Odometry, TellsTheWayBetweenAndBeyondItsPoses) {
   EXPECT_NEAR(way->heading, expected.heading, 1e-9);
 }
 
+/// As TF has it: of the pose alone.
+TEST(Odometry, OfPosesAloneTellsTheSameWayAndTheTwistBetweenThem) {
+  Odometry odometry;
+  const Twist2 twist{0.4, 0.1, -2.0};
+  for (int i = 0; i <= 100; ++i) {  // through half a turn, where headings are wrapped
+    Pose2 pose = way_of(twist, 0.02 * i);
+    pose.heading = std::remainder(pose.heading, 2.0 * std::acos(-1.0));
+    odometry.note_pose(10.0 + 0.02 * i, pose, 0.7, 3.14);
+  }
+  EXPECT_EQ(odometry.breaks(), std::size_t{0});
+  const auto way = odometry.way_since(10.33, 12.0);
+  ASSERT_TRUE(way);
+  const Pose2 expected = way_of(twist, 1.67);
+  EXPECT_NEAR(way->place.x, expected.place.x, 1e-3);
+  EXPECT_NEAR(way->place.y, expected.place.y, 1e-3);
+  EXPECT_NEAR(way->heading, expected.heading, 1e-9);
+  ASSERT_TRUE(odometry.twist_at(12.0));
+  EXPECT_NEAR(odometry.twist_at(12.0)->vx, twist.vx, 0.01);
+  EXPECT_NEAR(odometry.twist_at(12.0)->vy, twist.vy, 0.01);
+  EXPECT_NEAR(odometry.twist_at(12.0)->w, twist.w, 1e-9);
+}
+
+TEST(Odometry, OfPosesAloneWhatIsFasterThanTheRobotIsAJump) {
+  for (const Pose2& odd : {Pose2{{0.5, 0.0}, 0.0}, Pose2{{0.0, -3.0}, 0.0}, Pose2{{0.0, 0.0}, 0.5},
+                           Pose2{{std::nan(""), 0.0}, 0.0}, Pose2{{0.0, 0.0}, std::nan("")}}) {
+    Odometry odometry;
+    for (int i = 0; i < 10; ++i) odometry.note_pose(10.0 + 0.02 * i, {}, 0.7, 3.14);
+    odometry.note_pose(10.2, odd, 0.7, 3.14);
+    EXPECT_EQ(odometry.breaks(), std::size_t{1}) << odd.place.x << ' ' << odd.heading;
+    EXPECT_FALSE(odometry.way_since(10.1, 10.2));
+  }
+  Odometry back;
+  back.note_pose(10.0, {}, 0.7, 3.14);
+  back.note_pose(9.0, {}, 0.7, 3.14);
+  EXPECT_EQ(back.breaks(), std::size_t{1});
+}
+
 TEST(Odometry, DoesNotSpanWhatItHasNotSeen) {
   Odometry odometry;
   EXPECT_FALSE(odometry.way_since(0.0, 0.1));
