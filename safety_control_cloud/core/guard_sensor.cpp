@@ -9,6 +9,7 @@
 #include "guard/facing.hpp"
 #include "look/field_of_view.hpp"
 #include "look/outlook.hpp"
+#include "speed/speed.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -48,6 +49,15 @@ std::optional<Doubt> loss_in(const Answer& answer, std::size_t min_points, bool 
   if (sight.too_close > 0 && sight.too_close + sight.inside >= min_points)
     return Doubt{Cause::Seen, "something is too close to measure"};
   return std::nullopt;
+}
+
+/// Of what is ahead, as the drive mode has it.
+std::optional<ZoneCap> cap_by(const Answer& answer, const Settings& settings) {
+  const auto* seen = std::get_if<Seen>(&answer);
+  if (!settings.zone_caps || !seen) return std::nullopt;
+  const auto& nearest = seen->sight.nearest;
+  const Zone zone = nearest ? zone_at(nearest->distance(), settings.limits) : Zone::Safe;
+  return ZoneCap{zone, speed_for(zone, settings.speeds)};
 }
 
 FieldOfView field_in(const View& view) {
@@ -166,6 +176,7 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
   known.age = std::max(now.steady - taken_->arrival.steady, now.ros - taken_->arrival.ros) + taken_->time_to_arrive;
   known.ways = ways_since_look(now, odometry, given);
   known.eye = taken_->eye;
+  known.cap = cap_by(sensor_.answer(), own_);
   return known;
 }
 

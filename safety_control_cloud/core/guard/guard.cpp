@@ -65,7 +65,7 @@ Allowed Guard::allowed(const Twist2& wanted, const std::vector<Twist2>& under_wa
     if (one.lost && !(one.eye && leads_away_from(*one.eye, wanted)))
       return standing(one.sensor, {one.lost->cause, one.lost->reason + "; only straight away from there"});
   }
-  const Allowed capped = lesser(by_speed(wanted), by_eyes(wanted, known));
+  const Allowed capped = lesser(lesser(by_speed(wanted), by_eyes(wanted, known)), by_zones(wanted, known));
   const Twist2 slower = limited(wanted, capped.factor);
   Allowed seen;
   for (const Known& one : known) seen = lesser(std::move(seen), by_sight(slower, under_way, one));
@@ -95,6 +95,21 @@ Allowed Guard::by_speed(const Twist2& wanted) const {
   if (turning > settings_.max_turn) allowed.factor = std::min(allowed.factor, settings_.max_turn / turning);
   if (allowed.factor < 1.0) allowed.reason = "faster than max_speed or max_turn";
   return allowed;
+}
+
+/// Of what leads to where a sensor looks; turning is none of it.
+Allowed Guard::by_zones(const Twist2& wanted, const std::vector<Known>& known) const {
+  Allowed least;
+  const double speed = speed_of(wanted);
+  for (const Known& one : known) {
+    if (!one.cap || !one.eye || !(dot(one.eye->direction, linear(wanted)) > 0.0) || speed <= one.cap->speed) continue;
+    Allowed slower;
+    slower.factor = one.cap->speed / speed;
+    slower.sensor = one.sensor;
+    slower.reason = words("zone ", name_of(one.cap->zone), ": ", measured(one.cap->speed, "m/s"));
+    least = lesser(std::move(least), std::move(slower));
+  }
+  return least;
 }
 
 /// Where nobody looks, no faster than is said for that; nor than out of the margin, away from what was lost.

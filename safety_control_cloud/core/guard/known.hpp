@@ -7,11 +7,18 @@
 
 #include "../doubt/doubt.hpp"
 #include "../speed/law.hpp"
+#include "../speed/zone.hpp"
 #include "eye.hpp"
 #include "pose.hpp"
 #include "surroundings.hpp"
 
 namespace safety_control_cloud {
+
+/// A zone, and how fast the robot may go into it.
+struct ZoneCap {
+  Zone zone;
+  double speed;  ///< [m/s]
+};
 
 /// What one sensor lets one know of the robot's surroundings at this moment.
 struct Known {
@@ -23,6 +30,7 @@ struct Known {
   std::optional<Eye> eye;      ///< where it looks
   std::optional<Doubt> doubt;  ///< why it is not to be believed: nothing is safe
   std::optional<Doubt> lost;   ///< why it is not to be believed where it looks: only away from there
+  std::optional<ZoneCap> cap;  ///< on what leads to where it looks
   bool is_touched = false;     ///< by what was lost: then slowly, though another sensor looks there
 };
 

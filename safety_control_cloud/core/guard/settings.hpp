@@ -48,6 +48,7 @@ struct GuardSettings {
   double min_speed = 0.01;            ///< [m/s] of the fastest point; a base does not obey what is left below this
   double max_speed = 0.7;             ///< [m/s]
   double max_turn = 3.14;             ///< [rad/s]
+  bool zone_caps = false;             ///< whether the drive mode's zones cap what leads to where a sensor looks
   double escape_speed = 0.1;          ///< [m/s] of the fastest point on the way out of the margin
   double unseen_speed = 0.1;          ///< [m/s] of the fastest point, where no sensor looks; 0 = never
   double override_max = 0.0;          ///< [s] for which ~override may hold; 0 = it is refused
@@ -81,6 +82,7 @@ void for_each_guard_parameter(GuardSettingsOrConst& guard, Visit& visit) {
   visit("min_speed", guard.min_speed);
   visit("max_speed", guard.max_speed);
   visit("max_turn", guard.max_turn);
+  visit("zone_caps", guard.zone_caps);
   visit("escape_speed", guard.escape_speed);
   visit("unseen_speed", guard.unseen_speed);
   visit("override_max", guard.override_max);

@@ -94,6 +94,7 @@ class Settings:
     min_speed: float
     max_speed: float
     max_turn: float
+    zone_caps: bool
     escape_speed: float
     unseen_speed: float
     override_max: float
