@@ -74,9 +74,12 @@ class Camera:
         if self._sent == 0:
             self.changed_at = time.monotonic()
         cloud.header.stamp = self.clock()
-        self._publisher.publish(cloud)
+        self._publish(cloud)
         self._sent += 1
         self._change.notify_all()
+
+    def _publish(self, cloud: PointCloud2) -> None:
+        self._publisher.publish(cloud)
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ import signal
 import struct
 import time
 from contextlib import contextmanager
-from typing import Any, Callable, ContextManager, Iterator, Optional, Sequence
+from typing import Any, Callable, ContextManager, Iterator, Optional, Sequence, Type
 
 import rospy
 from camera import TOPIC, Camera
@@ -47,7 +47,7 @@ class Guarded:
 
     def __init__(
         self, process: Process, view: Optional[View] = None, namespace: str = "", clock: Clock = rospy.Time.now, stamped: bool = False,
-        others: Sequence[TransformStamped] = (),
+        others: Sequence[TransformStamped] = (), camera: Type[Camera] = Camera,
     ) -> None:
         self.process, self.namespace = process, namespace
         prefix = namespace.strip("/") + "/" if namespace else ""
@@ -59,7 +59,7 @@ class Guarded:
         self.stamp: Clock = rospy.Time.now
         said = (TwistStamped, 50.0, self.stamped) if stamped else (Twist, 50.0)
         self.driver = Repeated(namespace + "/cmd_vel_in", *said)
-        self.camera = Camera(view or hall(frame=prefix + FRAME), clock, topic=namespace + TOPIC)
+        self.camera = camera(view or hall(frame=prefix + FRAME), clock, topic=namespace + TOPIC)
 
     def gives(self, fits: Callable[[SafetyState], bool], within: float = SETTLED, lasts: float = 0.3) -> SafetyState:
         """The robot comes to an answer that fits, and stays with such for a while, on ~state and on cmd_vel.
@@ -157,14 +157,14 @@ class Base:
 @contextmanager
 def guarded_robot(
     *remappings: str, namespace: str = "", started: Optional[ContextManager[Process]] = None, others: Sequence[TransformStamped] = (),
-    **parameters: Any
+    camera: Type[Camera] = Camera, **parameters: Any
 ) -> Iterator[Guarded]:
     """A robot in a free hall whose camera has been seen; nobody drives it yet. `others`: where its other sensors are."""
     given = [f"_{name}:={value}" for name, value in {"mode": "guard", **parameters}.items()]
     ours = [f"__ns:={namespace}"] if namespace else []
     with started or node("safety_control_node", *given, *ours, *remappings) as process:
         stamped = parameters.get("command_type") == "twist_stamped"
-        robot = Guarded(process, namespace=namespace, stamped=stamped, others=others)
+        robot = Guarded(process, namespace=namespace, stamped=stamped, others=others, camera=camera)
         try:
             robot.stands("NO_COMMAND", within=20.0)
             yield robot
