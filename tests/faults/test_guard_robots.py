@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The guard on robots of their own: one that is driven, a nodelet, two on one master, a footprint."""
 import math
+import signal
 import time
 
 import numpy as np
 import pytest
 import rospy
 from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
-from guarded import CAMERA_TO_FRONT, Base, guarded_robot, twist
+from guarded import CAMERA_TO_FRONT, ZERO, Base, bits, guarded_robot, twist
 from laser import scan_of, with_post
 from repeated import Repeated
 from robot import START
@@ -18,6 +19,7 @@ from three_sensors import robot_with_sensors
 
 from safety_control_cloud.processes import process
 from safety_control_cloud.ros_session import node
+from safety_control_cloud.srv import Override
 
 NOWHERE = np.full((HEIGHT, WIDTH, 3), np.nan, np.float32)
 AHEAD = twist(0.3)
@@ -79,8 +81,26 @@ def test_the_nodelet_guards_as_the_node_does(master):
         robot.stands("BLIND")
 
 
+def override_of(namespace=""):
+    service = rospy.ServiceProxy(namespace + "/safety_control_cloud/override", Override)
+    service.wait_for_service(10.0)
+    return service
+
+
+@pytest.mark.parametrize("started", [None, NODELET + ["_override_max:=20.0"]], ids=["node", "nodelet"])
+def test_who_ends_while_an_override_holds_ends_with_a_zero(master, started):
+    with guarded_robot(started=started and process(started), override_max=20.0) as robot:
+        robot.driver.say(AHEAD)
+        robot.passes(AHEAD)
+        assert override_of()(20.0, 0.1, False).success
+        robot.gives(lambda state: state.given.linear.x == pytest.approx(0.1) and state.override_left > 0.0)
+        robot.process.send(signal.SIGINT)
+        assert robot.process.wait(10.0) == 0, robot.process.output()
+        assert bits(robot.last_given()) == ZERO
+
+
 def test_two_robots_on_one_master_are_guarded_apart(master):
-    frames = [dict(namespace=f"/robot{i}", base_frame=f"robot{i}/base_footprint") for i in (1, 2)]
+    frames = [dict(namespace=f"/robot{i}", base_frame=f"robot{i}/base_footprint", override_max=20.0) for i in (1, 2)]
     with guarded_robot(**frames[0]) as one, guarded_robot(**frames[1]) as other:
         for robot in (one, other):
             robot.driver.say(AHEAD)
@@ -88,6 +108,11 @@ def test_two_robots_on_one_master_are_guarded_apart(master):
         one.camera.show(always(cloud_of(NOWHERE, frame=f"robot1/{FRAME}")))
         one.stands("BLIND")
         other.passes(AHEAD)
+        other.camera.show(always(cloud_of(NOWHERE, frame=f"robot2/{FRAME}")))
+        other.stands("BLIND")
+        assert override_of("/robot1")(20.0, 0.1, True).success
+        one.gives(lambda state: state.given.linear.x == pytest.approx(0.1) and state.override_left > 0.0)
+        other.stands("BLIND")
 
 
 def test_a_list_of_corners_is_a_footprint_and_an_unfit_one_refused(master):
