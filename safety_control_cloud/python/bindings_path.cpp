@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <tuple>
 #include <vector>
 
 #include "../core/path/contact.hpp"
 #include "../core/path/escape.hpp"
+#include "../core/speed/fan.hpp"
 #include "../core/speed/limit.hpp"
-#include "../core/speed/straying.hpp"
 #include "bindings.hpp"
 
 namespace bindings {
@@ -144,6 +146,18 @@ void bind_path(py::module& module) {
         const core::Straying off = core::straying(outline, law, core::response_to(law, age, twist_of(wanted)),
                                                   twist_of(under_way), twist_of(wanted), {least, most});
         return std::make_tuple(off.share, off.widening);
+      },
+      py::arg("footprint"), py::arg("law"), py::arg("under_way"), py::arg("wanted"), py::arg("least") = 0.0,
+      py::arg("most") = 1.0, py::arg("age") = 0.0);
+  module.def(
+      "fan",
+      [](const core::Outline& outline, const core::Law& law, const Triple& under_way, const Triple& wanted,
+         double least, double most, double age) {
+        const auto fan = core::fan(outline, law, core::response_to(law, age, twist_of(wanted)), twist_of(under_way),
+                                   twist_of(wanted), {least, most});
+        std::vector<Triple> twists;
+        if (fan) std::transform(fan->twists.begin(), fan->twists.end(), std::back_inserter(twists), triple_of);
+        return fan ? std::optional(std::make_tuple(fan->share, twists, fan->widening)) : std::nullopt;
       },
       py::arg("footprint"), py::arg("law"), py::arg("under_way"), py::arg("wanted"), py::arg("least") = 0.0,
       py::arg("most") = 1.0, py::arg("age") = 0.0);

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "../path/escape.hpp"
-#include "straying.hpp"
+#include "fan.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -25,12 +25,16 @@ struct Question {
   Straying straying_at(const Factors& factors) const {
     return straying(outline, law, response, under_way, wanted, factors);
   }
+  std::optional<Fan> fan_at(const Factors& factors) const {
+    return fan(outline, law, response, under_way, wanted, factors);
+  }
   /// [s] of the wanted twist until the robot stands.
   double duration(double factor) const { return stopping_time(factor, response.reaction, response.braking); }
   /// [m] by which an obstacle may come nearer until then.
   double approach(double factor) const { return law.obstacle_speed * (response.reaction + factor * response.braking); }
-  Sweep sweep(double widening, double factor) const {
-    return {outline, wanted, obstacles.widening + widening + approach(factor), duration(factor) * (1.0 + 1e-9)};
+  Sweep sweep(double widening, double factor) const { return sweep(wanted, widening, factor); }
+  Sweep sweep(const Twist2& twist, double widening, double factor) const {
+    return {outline, twist, obstacles.widening + widening + approach(factor), duration(factor) * (1.0 + 1e-9)};
   }
   /// [s] A contact before leaves less than the least factor, whatever else there is.
   double hopeless(double least, double share) const {
@@ -43,17 +47,40 @@ struct Question {
 };
 
 /// `suspect`: what stood in the way of a greater factor; where it still does, nothing else is looked at.
+template <class TimeOf>
+Limit tried(const Question& question, const Factors& factors, double share, std::optional<std::size_t> suspect,
+            TimeOf time_of) {
+  const double hopeless = question.hopeless(factors.least, share);
+  if (suspect && question.law.min_points <= 1) {
+    const double time = time_of(question.obstacles.points[*suspect]);
+    if (time < hopeless) return question.answer(factors.most, share, {time, suspect});
+  }
+  return question.answer(factors.most, share, contact(question.obstacles, question.law.min_points, hopeless, time_of));
+}
+
+Limit tried_by_fan(const Question& question, const Factors& factors, const Fan& fan,
+                   std::optional<std::size_t> suspect) {
+  std::vector<Sweep> sweeps;
+  for (const Twist2& twist : fan.twists)
+    sweeps.push_back(question.sweep(twist, fan.widening, std::max(factors.most, fan.share)));
+  return tried(question, factors, fan.share, suspect, [&](const Point2& point) {
+    double first = std::numeric_limits<double>::infinity();
+    for (const Sweep& sweep : sweeps) first = std::min(first, sweep.time_to_contact(point));
+    return first;
+  });
+}
+
+/// By the path of the wish and a margin to both of its sides, or by the fan: each is a bound, so the greater holds.
 Limit tried(const Question& question, const Factors& factors, std::optional<std::size_t> suspect) {
   const Straying off = question.straying_at(factors);
   const Sweep sweep = question.sweep(off.widening, std::max(factors.most, off.share));
-  const double hopeless = question.hopeless(factors.least, off.share);
-  const auto time_of = [&](const Point2& point) { return sweep.time_to_contact(point); };
-  if (suspect && question.law.min_points <= 1) {
-    const double time = time_of(question.obstacles.points[*suspect]);
-    if (time < hopeless) return question.answer(factors.most, off.share, {time, suspect});
-  }
-  return question.answer(factors.most, off.share,
-                         contact(question.obstacles, question.law.min_points, hopeless, time_of));
+  const Limit limit =
+      tried(question, factors, off.share, suspect, [&](const Point2& point) { return sweep.time_to_contact(point); });
+  if (limit.factor >= factors.most) return limit;
+  const auto fan = question.fan_at(factors);
+  if (!fan || !(fan->widening < off.widening)) return limit;
+  const Limit by_fan = tried_by_fan(question, factors, *fan, limit.contact.point);
+  return by_fan.factor > limit.factor ? by_fan : limit;
 }
 
 /// Without regard to what is inside the margin already and may be left: that is touched at once.

@@ -425,6 +425,18 @@ def straying(
     """How much of the wanted twist the robot drives already, and how far it leaves its path at most [m], if it comes to
     drive it at a factor between least and most."""
 
+def fan(
+    footprint: Footprint,
+    law: Law,
+    under_way: Motion,
+    wanted: Motion,
+    least: float = 0.0,
+    most: float = 1.0,
+    age: float = 0.0,
+) -> Optional[Tuple[float, List[Motion], float]]:
+    """The same as arcs on which the robot may come to drive and to stop: its share, the arcs, and how far it leaves the
+    nearest of them at most [m]. None where the two motions do not lead in the same direction."""
+
 def limit(
     footprint: Footprint,
     law: Law,

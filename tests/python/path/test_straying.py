@@ -6,50 +6,7 @@ import pytest
 from base import Base
 from safety_control_cloud import core
 from shapes import random_shape, random_twist
-
-RESOLUTION = 0.003  # [m] of the path that is looked along, and of the base's steps
-
-
-def body_points(shape):
-    """Resting points where the footprint's corners are now: as far as they stray in the robot's frame, so does it."""
-    if not shape.corners:
-        return np.zeros((1, 2))
-    return np.array(shape.corners)
-
-
-def drive(law, under_way, wanted, brakes_after):
-    base = Base(law, twist=under_way)
-    base.command(wanted)
-    poses = []
-    braking = False
-    while base.time < brakes_after or max(map(abs, base.twist)) > 1e-3:
-        if not braking and base.time >= brakes_after - law.latency - law.base_reaction:
-            base.command((0.0, 0.0, 0.0))
-            braking = True
-        base.drive(0.01)
-        poses.append((base.x, base.y, base.heading))
-    return np.array(poses)
-
-
-def corners_in_world(poses, corners):
-    """(M, N, 2)"""
-    x, y, heading = poses.T[:, :, None]
-    return np.stack(
-        [
-            x + np.cos(heading) * corners[:, 0] - np.sin(heading) * corners[:, 1],
-            y + np.sin(heading) * corners[:, 0] + np.cos(heading) * corners[:, 1],
-        ],
-        axis=2,
-    )
-
-
-def poses_on_path(wanted, way):
-    """600 poses of a robot that obeys at once; the origin goes where a resting point would come from."""
-    places = np.linspace(0, way, 600)
-    backward = tuple(-value for value in wanted)
-    origin = np.array([core.moved([(0, 0)], backward, place)[0] for place in places])
-    return np.column_stack([origin, places * wanted[2]])
-
+from ways import RESOLUTION, body_points, corners_in_world, drive, poses_on_path
 
 def strayed(shape, law, under_way, wanted, factor, brakes_after):
     """[m] how far some moment of a drive lies from the nearest moment of the path."""
@@ -59,7 +16,7 @@ def strayed(shape, law, under_way, wanted, factor, brakes_after):
     reaction = law.sensor_period + law.latency + law.base_reaction
     corners = body_points(shape)
     path = corners_in_world(poses_on_path(wanted, most * reaction + most**2 * braking / 2), corners)
-    driven = corners_in_world(drive(law, under_way, core.limited(wanted, factor), brakes_after), corners)
+    driven = corners_in_world(drive(Base(law, twist=under_way), core.limited(wanted, factor), brakes_after), corners)
     apart = [np.hypot(*(path - now).transpose(2, 0, 1)).max(axis=1).min() for now in driven[::5]]
     return max(apart), widening
 
