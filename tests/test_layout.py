@@ -12,6 +12,7 @@ ROOMS_OF_CORE = {
     "input": {"text"},
     "look": {"text", "input"},
     "look/kernel": {"input", "look"},
+    "look/without_highway/hwy": set(),
     "doubt": {"text", "input"},
     "memory": {"text", "input", "look", "doubt"},
     "path": set(),
@@ -24,6 +25,7 @@ ROOMS_OF_ROS = {"time": set(), "command": {"time"}, "input": {"time"}, "memory":
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD = re.compile(r"[a-z_0-9]+")  # <vector>, <cmath>: neither folder nor ending
 OWN_LIBRARIES = ("Eigen/", "pcl/", "hwy/")
+OF_PROCESSORS = ("arm_neon.h", "immintrin.h")  # the compiler's own
 MADE_OF_THE_STUB = "docstrings.hpp"  # by the build
 READS_A_CLOCK_OR_DOES_IO = {
     *("chrono", "ctime", "thread"),
@@ -39,7 +41,7 @@ def forbidden_in_core(file):
                 yield name
         elif name in READS_A_CLOCK_OR_DOES_IO or name.startswith(IO_OF_PCL):
             yield name
-        elif not STANDARD.fullmatch(name) and not name.startswith(OWN_LIBRARIES):
+        elif not STANDARD.fullmatch(name) and not name.startswith(OWN_LIBRARIES) and name not in OF_PROCESSORS:
             yield name
 
 

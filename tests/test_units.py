@@ -7,8 +7,7 @@ TESTS_OF_CORE = ROOT / "tests" / "core"
 TESTED_AS = {
     "look/look": "corridor_test, depth_test and scan_test ask it and passthrough() the same",
     "look/passthrough": "the same: it is what look() is held against",
-    "look/kernel/scan_portable": "look/scan_test and depth_test, built with it instead",
-    "look/kernel/scan_simd": "look/scan_test and depth_test, in every instruction set",
+    "look/kernel/scan_simd": "look/scan_test and depth_test, in every instruction set, with Highway and without",
     "guard/settings": "guard/guard_settings_test",
     "guard/odometry": "guard/travel_test",
     "guard/facing": "guard/guard_settings_test and guard_sensors_test: what asks it",

@@ -4,6 +4,7 @@ import json
 import subprocess
 from collections import defaultdict
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Callable, Dict, List, Tuple
 
@@ -12,7 +13,7 @@ from rich.table import Column
 from rich.table import Table as RichTable
 
 ROOT = Path(__file__).resolve().parents[2]
-PROGRAM = ROOT / "build" / "tests" / "benchmarks" / "kernel_benchmark"
+PROGRAMS = ROOT / "build" / "tests" / "benchmarks"
 WAYS = (
     *("read_fresh", "one_pass_fresh", "near_loss", "near_loss_placed"),
     *("read_cached", "one_pass_cached", "pcl_indices", "tutorial"),
@@ -56,9 +57,9 @@ def cases(plan: Plan) -> List[Case]:
     ]
 
 
-def times_of(case: Case) -> Dict[str, float]:
+def times_of(case: Case, program: str = "kernel_benchmark") -> Dict[str, float]:
     """[ms] of CPU time by way, all in one process."""
-    command = [PROGRAM, f"--benchmark_filter=/{case.name}$", "--benchmark_min_time=0.02", "--benchmark_format=json"]
+    command = [PROGRAMS / program, f"--benchmark_filter=/{case.name}$", "--benchmark_min_time=0.02", "--benchmark_format=json"]
     result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=True)
     return {run["name"].split("/")[0]: run["cpu_time"] for run in json.loads(result.stdout)["benchmarks"]}
 
@@ -67,7 +68,8 @@ Table = Dict[Case, Dict[str, Timing]]
 
 
 def measure(plan: Plan, done: Callable[[], None]) -> Table:
-    times = in_turn(cases(plan), plan, times_of, done)
+    program = "kernel_benchmark" if plan.highway else "kernel_benchmark_portable"
+    times = in_turn(cases(plan), plan, partial(times_of, program=program), done)
     return {case: {way: timing_of([one[way] for one in all_]) for way in WAYS} for case, all_ in times.items()}
 
 

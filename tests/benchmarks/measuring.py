@@ -54,7 +54,7 @@ MEANINGS = {
 
 def plan_of(given: Namespace) -> Plan:
     repetitions, clouds = (2, 20) if given.quick else (3, 50)
-    return Plan(given.quick, given.repetitions or repetitions, given.clouds or clouds)
+    return Plan(given.quick, given.repetitions or repetitions, given.clouds or clouds, not given.without_highway)
 
 
 def parts_of(given: Namespace) -> Sequence[str]:

@@ -25,8 +25,11 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--only", choices=PARTS, action="append", help="this part; may be repeated")
     parser.add_argument("--repetitions", type=int, metavar="N", help="of every case; medians are shown (3, quick: 2)")
     parser.add_argument("--clouds", type=int, metavar="N", help="through processes, a repetition (50, quick: 20)")
+    parser.add_argument("--without-highway", action="store_true", help="the kernel as it is where Highway is not installed; --only kernel")
     parser.add_argument("--store-instructions", action="store_true", help="hold the kernel to today's from now on")
     given = parser.parse_args()
+    if given.without_highway and given.only != ["kernel"]:
+        parser.error("--without-highway needs --only kernel")
     if given.plot and (given.quick or given.only):
         parser.error("--plot needs a full run")
     return given

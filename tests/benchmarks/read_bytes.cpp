@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "read_bytes.hpp"
 
-#if __has_include(<hwy/highway.h>)
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "read_bytes.cpp"
 #include <hwy/foreach_target.h>
@@ -48,24 +46,4 @@ std::uint64_t read_bytes(const std::uint8_t* bytes, std::size_t size) {
 }
 
 }  // namespace safety_control_cloud
-#endif
-
-#else
-
-#include <cstring>
-
-namespace safety_control_cloud {
-
-std::uint64_t read_bytes(const std::uint8_t* bytes, std::size_t size) {
-  std::uint64_t all = 0;
-  for (std::size_t at = 0; at + sizeof(all) <= size; at += sizeof(all)) {
-    std::uint64_t word;
-    std::memcpy(&word, bytes + at, sizeof(word));
-    all |= word;
-  }
-  return all;
-}
-
-}  // namespace safety_control_cloud
-
 #endif

@@ -16,6 +16,7 @@ class Plan:
     quick: bool  # VGA only
     repetitions: int
     clouds: int  # of one repetition, where processes exchange them
+    highway: bool = True  # in the kernel, if it is installed
 
 
 def in_turn(

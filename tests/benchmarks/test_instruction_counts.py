@@ -12,18 +12,18 @@ GROWTH = 1.10
 def allowed():
     if shutil.which("valgrind") is None:
         pytest.skip("valgrind is not installed")
-    if not instructions.PROGRAM.exists():
+    if not all(program.exists() for program in instructions.PROGRAMS):
         pytest.skip("not built: cmake --build build --target safety_control_benchmarks")
-    compiler, _ = instructions.built_with()
+    compiler = instructions.compiler()
     if compiler not in instructions.stored():
         pytest.skip(f"no counts are stored for {compiler}")
     return instructions.stored()[compiler]
 
 
-@pytest.mark.parametrize("way", instructions.WAYS)
-@pytest.mark.parametrize("step", instructions.STEPS)
-@pytest.mark.parametrize("name", instructions.COUNTED_BY_CALLGRIND)
+@pytest.mark.parametrize("name, step, way", instructions.CASES)
 def test_the_kernel_takes_no_more_instructions_than_it_did(allowed, name, step, way):
-    if name not in instructions.built_with()[1]:
+    program = instructions.counted_sets().get(name)
+    if program is None:
         pytest.skip(f"{name} is not in this build")
-    assert instructions.instructions_per_point(step, name, way) <= GROWTH * allowed[f"{name}/step_{step}/{way}"]
+    counted = instructions.instructions_per_point(program, step, name, way)
+    assert counted <= GROWTH * allowed[f"{name}/step_{step}/{way}"]

@@ -343,7 +343,7 @@ def passthrough(
     """The same Sight by pcl::PassThrough and pcl::getMinMax3D. Raises as look() does."""
 
 def instruction_sets() -> List[str]:
-    """What look() can use on this machine, best first, as "AVX2" or "NEON"; "PORTABLE" is plain C++."""
+    """What look() can use on this machine, best first, as "AVX2" or "NEON"; built without Highway "GNU_AVX2", "GNU_NEON"."""
 
 def use_instruction_set(name: str = "") -> None:
     """For tests and benchmarks: look() uses this one from now on, or the best again for "".

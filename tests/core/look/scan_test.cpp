@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One pass == PCL on 10,000 random clouds, with every instruction set of this machine. CMake builds this test twice:
-// the second time with scan_portable.cpp among its own sources, which leaves the library's scan() out.
+// the second time with the kernel as it is without Highway, which leaves the library's out.
 #include "../../../safety_control_cloud/core/look/kernel/scan.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
+#include "../../../safety_control_cloud/core/input/point_reader.hpp"
+#include "../../../safety_control_cloud/core/look/meaning.hpp"
 #include "../../../safety_control_cloud/core/look/passthrough.hpp"
 #include "random_cloud.hpp"
 #include "same_sight.hpp"
@@ -24,6 +26,59 @@ TEST_P(InstructionSet, SeesInEveryCloudWhatPclSees) {
     const RandomCloud cloud(seed);
     const Sight seen = seen_by(look, cloud.view, cloud), expected = seen_by(passthrough, cloud.view, cloud);
     ASSERT_TRUE(same(seen, expected)) << "seed " << seed << ": " << words(seen) << "; PCL: " << words(expected);
+  }
+}
+
+/// What scan() and inside_of() say of a run, a point at a time.
+struct Singly {
+  Counts counts;
+  float nearest = inf;
+  std::vector<std::uint32_t> columns;
+
+  Singly(const Run& run, const Outlook& outlook) {
+    std::uint32_t column = 0;
+    for_each_point(run.points, [&](float x, float y, float z) {
+      const bool returns = is_return(x, y, z, outlook.corridor);
+      const Point placed = returns ? outlook.placed(x, y, z) : Point();
+      const bool inside = returns && is_inside(placed, outlook.corridor);
+      counts += {returns, inside, is_too_close(x, y, z, outlook)};
+      if (inside) nearest = std::min(nearest, placed.z);
+      if (inside) columns.push_back(column);
+      ++column;
+    });
+  }
+};
+
+TEST_P(InstructionSet, CountsAndListsWhatEachPointMeans) {
+  for (std::uint64_t seed = 0; seed < clouds / 10; ++seed) {
+    const RandomCloud cloud(seed);
+    const Outlook outlook(cloud.corridor, cloud.placement);
+    const Runs runs(cloud.view, cloud.rows);
+    std::vector<float> nearest(runs.size());
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      const Counts counts = scan(runs, i, i + 1, outlook, nearest.data());
+      const Inside inside = inside_of(runs[i], outlook);
+      const Singly expected(runs[i], outlook);
+      ASSERT_EQ(counts.returns, expected.counts.returns) << "seed " << seed;
+      ASSERT_EQ(counts.inside, expected.counts.inside) << "seed " << seed;
+      ASSERT_EQ(counts.too_close, expected.counts.too_close) << "seed " << seed;
+      ASSERT_EQ(nearest[i], expected.nearest) << "seed " << seed;
+      const auto* columns = inside.columns.data();
+      ASSERT_EQ(std::vector<std::uint32_t>(columns, columns + inside.size), expected.columns) << "seed " << seed;
+    }
+  }
+}
+
+TEST_P(InstructionSet, ACloudMayBeginAtAnyAddress) {
+  for (std::uint64_t seed = 0; seed < clouds / 10; ++seed) {
+    const RandomCloud cloud(seed);
+    const std::size_t before = 1 + seed % 3;
+    std::vector<std::uint8_t> moved(before);
+    moved.insert(moved.end(), cloud.bytes.begin(), cloud.bytes.end());
+    moved.shrink_to_fit();
+    CloudView view = cloud.view;
+    view.bytes = moved.data() + before;
+    ASSERT_TRUE(same(seen_by(look, view, cloud), seen_by(look, cloud.view, cloud))) << "seed " << seed;
   }
 }
 

@@ -33,7 +33,7 @@ constexpr std::size_t block_size = 16;  ///< [byte] within which every instructi
 
 /// A block from every fourth point.
 template <class Tag>
-HWY_INLINE hn::Vec<Tag> every_fourth_block(Tag tag, const std::uint8_t* from, std::size_t point_step) {
+HWY_INLINE hn::Vec<Tag> every_fourth_block(Tag tag, const std::uint8_t* from, [[maybe_unused]] std::size_t point_step) {
   if constexpr (hn::MaxLanes(tag) == block_size / sizeof(float)) {
     return hn::BitCast(tag, hn::LoadU(hn::Repartition<std::uint8_t, Tag>(), from));
   } else {

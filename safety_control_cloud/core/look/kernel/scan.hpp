@@ -41,7 +41,8 @@ struct Inside {
 
 Inside inside_of(const Run& run, const Outlook& outlook);
 
-/// The instruction sets that scan() can use on this machine, best first, as "AVX2" or "NEON"; "PORTABLE" is plain C++.
+/// The instruction sets that scan() can use on this machine, best first, as "AVX2" or "NEON"; built without Highway
+/// "GNU_AVX2", "GNU_NEON".
 std::vector<std::string> instruction_sets();
 
 /// For tests and benchmarks: scan() uses this one of instruction_sets() from now on, or the best again for "".

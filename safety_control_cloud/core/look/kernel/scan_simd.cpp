@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// scan() with Highway: this file is compiled once for every instruction set, and the best one of the machine is used.
-// Nothing here branches on what the points are, so that the time does not depend on the scene; only a run with a point
-// at -Inf (REP 117) is gone through once more, from the cache.
+// scan() with Highway, or with what ../without_highway/ has in its place: this file is compiled once for every
+// instruction set, and the best one of the machine is used. Nothing here branches on what the points are, so that the
+// time does not depend on the scene; only a run with a point at -Inf (REP 117) is gone through once more, from the
+// cache.
 #include <limits>
 #include <stdexcept>
 
