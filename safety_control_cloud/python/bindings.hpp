@@ -38,6 +38,7 @@ inline core::Instant instant_of(double now, std::optional<double> ros_now) {
 
 void bind_settings(py::module& module);  ///< first: all that takes Settings has them as a default
 void bind_clouds(py::module& module);
+void bind_scans(py::class_<BorrowedCloud>& cloud);
 void bind_results(py::module& module);
 void bind_path(py::module& module);
 void bind_guard(py::module& module);

@@ -133,8 +133,8 @@ void bind_clouds(py::module& module) {
   py::class_<core::CameraClaims>(module, "CameraClaims")
       .def(py::init(&camera_claims), py::arg("height"), py::arg("width"), py::arg("D"), py::arg("K"), py::arg("P"),
            py::arg("binning_x") = 0, py::arg("binning_y") = 0, py::arg("roi") = Region{});
-  py::class_<BorrowedCloud>(module, "Cloud")
-      .def(py::init(&cloud_of_points), py::arg("points"))
+  py::class_<BorrowedCloud> cloud(module, "Cloud");
+  cloud.def(py::init(&cloud_of_points), py::arg("points"))
       .def_static("of_bytes", &cloud_of_bytes, py::arg("data"), py::arg("height"), py::arg("width"), py::arg("fields"),
                   py::arg("is_bigendian"), py::arg("point_step"), py::arg("row_step"))
       .def_static("of_depth", &cloud_of_depth, py::arg("image"), py::arg("fx"), py::arg("fy"), py::arg("cx"),
@@ -146,6 +146,7 @@ void bind_clouds(py::module& module) {
         const auto* unreadable = std::get_if<core::Unreadable>(&cloud.reading);
         return unreadable ? py::object(py::str(unreadable->reason)) : py::none();
       });
+  bind_scans(cloud);
   module.def("look", &look<core::look>, py::arg("cloud"), py::arg("settings") = core::Settings{},
              py::arg("crop") = false, py::arg("camera") = py::none());
   module.def("passthrough", &look<core::passthrough>, py::arg("cloud"), py::arg("settings") = core::Settings{},

@@ -13,12 +13,14 @@ namespace {
 using Triple = std::array<double, 3>;
 
 void see(core::GuardControl& control, const py::object& given, double now, std::optional<double> stamp,
-         std::optional<double> ros_now, const py::object& camera, const std::string& source, const std::string& frame) {
+         std::optional<double> ros_now, const py::object& camera, const std::string& source, const std::string& frame,
+         std::size_t sensor) {
+  if (sensor >= core::sensors_of(control.settings()).size()) throw py::index_error("there is no such sensor");
   const BorrowedCloud cloud = cloud_in(given);
   const core::Instant instant = instant_of(now, ros_now);
   const core::Origin origin{stamp.value_or(instant.ros), placing_in(camera), source, frame};
   const py::gil_scoped_release unlocked;
-  control.see(cloud.reading, origin, instant);
+  control.see(cloud.reading, origin, instant, sensor);
 }
 
 void want(core::GuardControl& control, const Triple& linear, const Triple& angular, double now,
@@ -84,7 +86,7 @@ void bind_guard(py::module& module) {
       .def(py::init<const core::Settings&>(), py::arg("settings"))
       .def("see", &see, py::arg("cloud"), py::arg("now"), py::arg("stamp") = py::none(),
            py::arg("ros_now") = py::none(), py::arg("camera") = py::none(), py::arg("source") = "",
-           py::arg("frame") = "")
+           py::arg("frame") = "", py::arg("sensor") = 0)
       .def("want", &want, py::arg("linear"), py::arg("angular"), py::arg("now"), py::arg("stamp") = py::none(),
            py::arg("ros_now") = py::none())
       .def(
@@ -114,6 +116,7 @@ void bind_guard(py::module& module) {
             return control.answer(instant_of(now, ros_now));  // a copy: what it refers to changes with every answer
           },
           py::arg("now"), py::arg("ros_now") = py::none())
+      .def("until_silent", &core::GuardControl::until_silent, py::arg("now"))
       .def("adopt", &core::GuardControl::adopt, py::arg("settings"))
       .def("forget_losses", &core::GuardControl::forget_losses)
       .def("remembered", &core::GuardControl::remembered)

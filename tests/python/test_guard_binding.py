@@ -106,3 +106,46 @@ def test_a_wish_is_three_and_three_numbers():
     with pytest.raises(TypeError):
         core.GuardControl(GUARD).want((0.2, 0), (0, 0, 0), now=0.0)
     assert core.Command((0.1, 0, 0)).angular == [0, 0, 0]
+
+
+SENSORS = [{"name": "front", "type": "cloud", "topic": "points"}, {"name": "laser", "type": "scan", "topic": "scan"}]
+LASER = np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0.2]], np.float64)
+TURN = (-np.pi, np.pi - np.pi / 180, np.pi / 180)  # from, to, step
+
+
+def scan_of(behind: float, **claims: float) -> core.Cloud:
+    """Of a round hall with a post behind."""
+    ranges = np.full(360, 4.0, np.float32)
+    ranges[:5] = behind
+    return core.Cloud.of_scan(ranges, *TURN, **{"range_min": 0.1, "range_max": 10.0, "scan_time": 0.1, **claims})
+
+
+def test_a_laser_among_several_sensors_is_seen_by_its_number():
+    control = core.GuardControl(core.Settings(mode="guard", sensors=SENSORS))
+    for behind, expected in ((4.0, (1.0, "")), (0.22, (0.0, "laser"))):
+        for tick in range(10):
+            now = 0.05 * tick + (behind < 1.0)
+            control.see(wall_at(3.0 + 1e-3 * tick), now=now, ros_now=1000.0 + now, camera=CAMERA)
+            control.see(scan_of(behind + 1e-3 * tick), now=now, ros_now=1000.0 + now, camera=LASER, sensor=1)
+            control.want((-0.3, 0, 0), (0, 0, 0), now=now)
+            said = control.answer(now=now, ros_now=1000.0 + now)
+        assert (said.factor, said.sensor, said.cause.name) == (*expected, "SEEN")
+    assert control.until_silent(now + 0.1) == pytest.approx(core.Settings().source_timeout - 0.1)
+    with pytest.raises(IndexError):
+        control.see(scan_of(4.0), now=3.0, camera=LASER, sensor=2)
+
+
+@pytest.mark.parametrize("claims, reason", [
+    ({"range_min": 10.0, "range_max": 0.1}, "range_min 10 and range_max 0.1"), ({"scan_time": 60.0}, "scan_time 60 s"),
+    ({"range_max": np.nan}, "range_min 0.1 and range_max nan")])
+def test_a_scan_that_contradicts_itself_is_unreadable_as_in_the_node(claims, reason):
+    assert scan_of(4.0, **claims).unreadable == reason
+    assert scan_of(4.0).unreadable is None
+
+
+def test_a_scan_outlives_its_ranges_and_has_one_row():
+    held = [core.Cloud.of_scan(np.full(360, 1.0 + n, np.float32), *TURN, 0.1, 10.0) for n in range(50)]
+    assert [cloud.unreadable for cloud in held] == [None] * 50
+    assert core.Cloud.of_scan(np.zeros(0, np.float32), *TURN, 0.1, 10.0).unreadable == "a scan of 0 ranges"
+    with pytest.raises(ValueError):
+        core.Cloud.of_scan(np.zeros((2, 180), np.float32), *TURN, 0.1, 10.0)

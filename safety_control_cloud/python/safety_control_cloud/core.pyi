@@ -179,6 +179,21 @@ class Cloud:
 
         What contradicts itself makes an unreadable cloud, as it does in the node; it does not raise.
         """
+    @staticmethod
+    def of_scan(
+        ranges: np.ndarray,
+        angle_min: float,
+        angle_max: float,
+        angle_increment: float,
+        range_min: float,
+        range_max: float,
+        time_increment: float = 0.0,
+        scan_time: float = 0.0,
+    ) -> Cloud:
+        """The content of a sensor_msgs/LaserScan, for a GuardControl alone; ranges are (N,), and copied.
+
+        What contradicts itself makes an unreadable cloud, as it does in the node. Raises ValueError for another shape.
+        """
     @property
     def unreadable(self) -> Optional[str]:
         """Why the points cannot be read, or None if they can."""
@@ -293,8 +308,10 @@ class GuardControl:
         camera: Optional[Union[np.ndarray, str]] = None,
         source: str = "",
         frame: str = "",
+        sensor: int = 0,
     ) -> None:
-        """A cloud has come, readable or not; `camera` is where it is in base_frame, else as in SafetyControl.decide."""
+        """A cloud has come, readable or not; `camera` is where it is in base_frame, else as in SafetyControl.decide.
+        `sensor`: which of settings.sensors sent it. Raises IndexError if there is none."""
     def want(
         self,
         linear: Sequence[float],
@@ -319,6 +336,8 @@ class GuardControl:
         """Whether for a while nobody asks what is seen, and why not or what holds now."""
     def answer(self, now: float, ros_now: Optional[float] = None) -> Guarded:
         """What holds now; it is taken for said to the base."""
+    def until_silent(self, now: float) -> float:
+        """[s] until the next sensor counts as silent; infinite if none will."""
     def adopt(self, settings: Settings) -> None:
         """Goes on with other settings; raises as the constructor does and then keeps the old ones."""
     def forget_losses(self) -> None:
