@@ -13,10 +13,10 @@ from safety_control_cloud.judge.drive import Drive, Verdict
 from safety_control_cloud.judge.find import path_of
 from safety_control_cloud.judge.identity import Stat, hash_of_bag, hash_of_settings, stat_of, version
 from safety_control_cloud.judge.memory import keep_freed_memory
-from safety_control_cloud.judge.places import Places
 from safety_control_cloud.judge.rows import BagRow, CloudFile, Key
 from safety_control_cloud.replay.bags import BagError, Bags, Topic, opened
 from safety_control_cloud.replay.eyes import Sighting, eye_for
+from safety_control_cloud.replay.places import Places
 from safety_control_cloud.replay.topics import Source, chosen, transforms_in
 
 

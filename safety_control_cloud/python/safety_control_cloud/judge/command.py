@@ -52,6 +52,8 @@ def _settings(given: argparse.Namespace) -> List[Dict[str, Any]]:
             fit = settings_of(parameters).as_dict()
         except BadSettings as error:
             raise BadSettings(f"{file or '--param'}: {error}") from error
+        if fit["mode"] == "guard":
+            raise BadSettings(f"{file or '--param'}: a guard is asked about one bag, by scripts/replay --mode guard")
         settings.append({name: fit[name] for name in parameters})
     return settings
 

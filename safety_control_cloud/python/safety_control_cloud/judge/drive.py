@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Iterator, NamedTuple, Optional, Tuple
 
 from safety_control_cloud import core
-from safety_control_cloud.judge.places import Place
 from safety_control_cloud.replay.eyes import Sighting
+from safety_control_cloud.replay.places import Place
 
 NAN = float("nan")
 

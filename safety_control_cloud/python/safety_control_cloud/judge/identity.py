@@ -16,8 +16,8 @@ from safety_control_cloud import core
 BLOCK = 1 << 18  # [byte] of a file at once: they are hashed while they lie in the cache
 LENGTH = 16  # hexadecimal digits that are shown of a hash
 JUDGES = (  # the modules that a verdict depends on, besides the core
-    "judge/bag.py", "judge/drive.py", "judge/places.py", "judge/rows.py", "replay/bags.py", "replay/compressed.py",
-    "replay/eyes.py", "replay/topics.py", "replay/wire.py")
+    "judge/bag.py", "judge/drive.py", "judge/rows.py", "replay/bags.py", "replay/compressed.py", "replay/eyes.py",
+    "replay/places.py", "replay/topics.py", "replay/wire.py")
 
 Stat = Tuple[Tuple[str, int, str], ...]  # of each file: name, size, and the time of its last change or its ETag
 

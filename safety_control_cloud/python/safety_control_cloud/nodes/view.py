@@ -16,9 +16,9 @@ from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 
 from safety_control_cloud import core
-from safety_control_cloud.judge.places import matrix_of
 from safety_control_cloud.msg import SafetyState
 from safety_control_cloud.nodes.camera_view import CameraView
+from safety_control_cloud.replay.places import matrix_of
 from safety_control_cloud.view.memory import spots_in
 from safety_control_cloud.view.moment import Guarded, Moment, Motion
 from safety_control_cloud.view.sink import Sink

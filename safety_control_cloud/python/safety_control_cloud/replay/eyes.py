@@ -25,7 +25,7 @@ class Sighting:
     source: str
     cloud: core.Cloud
     messages: Tuple[Recorded, ...]  # what it was made of
-    content: Union[Points, Image]  # points, or depths
+    content: Union[Points, Image, None]  # points, or depths; None: a scan
     camera: Optional[Pinhole] = None  # of depths
 
 

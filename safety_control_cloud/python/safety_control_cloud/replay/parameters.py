@@ -47,6 +47,18 @@ def settings_of(parameters: Mapping[str, Any]) -> core.Settings:
 
 
 def _as(kind: type, value: Any) -> Any:
-    if isinstance(value, bool) or kind is int and isinstance(value, float) and value != int(value):
+    if kind is bool:
+        return _truth(value)
+    if kind is list and isinstance(value, list):
+        return value
+    if isinstance(value, (bool, list)) or kind is list or kind is int and isinstance(value, float) and value != int(value):
         raise ValueError(value)
     return kind(value)
+
+
+def _truth(value: Any) -> bool:
+    """As roscpp takes an argument of the command line."""
+    words = {"true": True, "false": False}
+    if not isinstance(value, bool) and str(value).lower() not in words:
+        raise ValueError(value)
+    return value if isinstance(value, bool) else words[str(value).lower()]

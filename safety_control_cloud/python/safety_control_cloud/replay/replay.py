@@ -8,8 +8,8 @@ from typing import Dict, List, Mapping, Optional
 from safety_control_cloud import core
 from safety_control_cloud.replay.lockstep import Answer
 from safety_control_cloud.replay.nodes import safety_nodes
-from safety_control_cloud.replay.options import Request
-from safety_control_cloud.replay.parameters import parameters_in, settings_of
+from safety_control_cloud.replay.options import GUARD, Request
+from safety_control_cloud.replay.parameters import BadSettings, parameters_in, settings_of
 from safety_control_cloud.replay.recording import Recording, recording
 from safety_control_cloud.replay.report import print_table, with_progress, write_json
 from safety_control_cloud.replay.show import shown_in
@@ -18,15 +18,25 @@ from safety_control_cloud.replay.topics import INPUTS
 from safety_control_cloud.view.options import recorded_in
 
 
-def replay(request: Request) -> List[Answer]:
+def replay(request: Request) -> None:
     """Raises parameters.BadSettings, bags.BagError, lockstep.BadParameters, lockstep.NoAnswer, processes.ProcessError,
     optional.MissingPackages."""
+    given = {**(parameters_in(request.settings) if request.settings else {}), **request.parameters}
+    if request.mode:
+        given["mode"] = request.mode
+    if given.get("mode") == GUARD:
+        from safety_control_cloud.replay.guard.replay import replay_guarded
+
+        return replay_guarded(request, given)
+    if request.cmd_vel or request.odom:
+        raise BadSettings("--cmd-vel and --odom are of --mode guard")
+    if given.get("sensors"):
+        raise BadSettings("sensors are of mode guard: --mode guard")
     with recorded_in(request.rrd, request.view) as rrd:
-        return _replay(request, rrd)
+        _replay(request, {name: str(value) for name, value in given.items() if name != "sensors"}, rrd)
 
 
-def _replay(request: Request, rrd: Optional[Path]) -> List[Answer]:
-    parameters = _parameters(request)
+def _replay(request: Request, parameters: Mapping[str, str], rrd: Optional[Path]) -> None:
     moving = bool(parameters.get("target_frame"))
     wanted = parameters.get("input", INPUTS[0])
     wanted = wanted if wanted in INPUTS else INPUTS[0]  # the node itself refuses others
@@ -43,7 +53,6 @@ def _replay(request: Request, rrd: Optional[Path]) -> List[Answer]:
         from safety_control_cloud.replay.plot import write_plot  # matplotlib takes half a second to load
 
         write_plot(answers, request.plot, title, settings, silent)
-    return answers
 
 
 def answers_to(recorded: Recording, parameters: Mapping[str, str], rrd: Optional[Path] = None) -> List[Answer]:
@@ -57,11 +66,6 @@ def answers_to(recorded: Recording, parameters: Mapping[str, str], rrd: Optional
                 answers.append(nodes.answer_to(cloud))
                 show(cloud, answers[-1], nodes.remembered(cloud.topic))
             return answers
-
-
-def _parameters(request: Request) -> Dict[str, str]:
-    of_file = parameters_in(request.settings) if request.settings else {}
-    return {**{name: str(value) for name, value in of_file.items()}, **request.parameters}
 
 
 def _known(parameters: Mapping[str, str]) -> Dict[str, str]:

@@ -24,10 +24,10 @@ WIDE = 240  # columns, where there is no terminal whose width would limit the ta
 Item = TypeVar("Item")
 
 
-def with_progress(items: Iterable[Item], count: int) -> Iterator[Item]:
+def with_progress(items: Iterable[Item], count: int, what: str = "clouds") -> Iterator[Item]:
     """The same items, with a bar on stderr if that is a terminal."""
     console = Console(stderr=True)
-    columns = (TextColumn("clouds"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    columns = (TextColumn(what), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     with Progress(*columns, console=console, disable=not console.is_terminal, transient=True) as progress:
         yield from progress.track(items, total=count)
 

@@ -11,6 +11,7 @@ CLOUD = "sensor_msgs/msg/PointCloud2"
 IMAGE = "sensor_msgs/msg/Image"
 COMPRESSED = "sensor_msgs/msg/CompressedImage"
 CAMERA = "sensor_msgs/msg/CameraInfo"
+SCAN = "sensor_msgs/msg/LaserScan"
 DEPTH_ENDING = "/compressedDepth"  # of image_transport; what is before it is the image's own name
 OWN = ("camera/depth/points", "camera/depth/image_rect")  # the node's, by its `input`: cloud, depth
 INPUTS = ("cloud", "depth")
@@ -20,13 +21,15 @@ TRANSFORM_KINDS = ("tf2_msgs/msg/TFMessage", "tf/msg/tfMessage")
 
 @dataclass(frozen=True)
 class Source:
-    """What one node would be given: clouds, or depth images with their CameraInfo."""
+    """What one node would be given: clouds, or depth images with their CameraInfo; in mode guard also scans."""
 
     topic: Topic
     camera: Optional[Topic] = None  # of depth images
 
     @property
     def input(self) -> str:
+        if self.topic.kind == SCAN:
+            return "scan"
         return "depth" if self.camera else "cloud"
 
     @property
@@ -55,6 +58,10 @@ def sources_in(bags: Bags) -> List[Source]:
     return found
 
 
+def lasers_in(bags: Bags) -> List[Source]:
+    return [Source(topic) for topic in bags.topics() if topic.kind == SCAN]
+
+
 def chosen(bags: Bags, names: Sequence[str], wanted: str = "cloud") -> List[Source]:
     """Those of these names; without a name the node's own topic, else all of the `wanted` input, else all of the other.
 
@@ -65,7 +72,7 @@ def chosen(bags: Bags, names: Sequence[str], wanted: str = "cloud") -> List[Sour
         return [_named(name, there, bags) for name in names]
     if not there:
         raise BagError(f"no sensor_msgs/PointCloud2 and no depth image with its CameraInfo in {bags.names}; "
-                       f"there is: {bags.contents()}")
+                       f"there is: {bags.contents()}{_hint_at_lasers(bags)}")
     own = [source for source in there if same(source.name, OWN[INPUTS.index(wanted)]) and source.input == wanted]
     return own[:1] or [source for source in there if source.input == wanted] or there
 
@@ -91,9 +98,13 @@ def _named(name: str, there: Sequence[Source], bags: Bags) -> Source:
     for source in there:
         if same(source.topic.name, name) or same(source.name, name):
             return source
-    known = f"there is: {_listed(there) or bags.contents()}"
+    known = f"there is: {listed(there) or bags.contents()}{_hint_at_lasers(bags)}"
     raise BagError(f"no sensor_msgs/PointCloud2 or depth image with its CameraInfo on {name} in {bags.names}; {known}")
 
 
-def _listed(sources: Sequence[Source]) -> str:
+def _hint_at_lasers(bags: Bags) -> str:
+    return f"; scripts/replay --mode guard looks at a LaserScan too: {listed(lasers_in(bags))}" if lasers_in(bags) else ""
+
+
+def listed(sources: Sequence[Source]) -> str:
     return ", ".join(f"{source.topic.name} ({source.topic.count})" for source in sources)

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""From bags to what the guard would have given."""
+from __future__ import annotations
+
+import sys
+from typing import Any, Mapping
+
+from safety_control_cloud.replay.bags import opened
+from safety_control_cloud.replay.guard.inputs import Inputs, inputs_in
+from safety_control_cloud.replay.guard.report import print_guarded, write_json
+from safety_control_cloud.replay.guard.run import guarded
+from safety_control_cloud.replay.options import Request
+from safety_control_cloud.replay.parameters import BadSettings
+
+
+def replay_guarded(request: Request, parameters: Mapping[str, Any]) -> None:
+    """Raises parameters.BadSettings, bags.BagError."""
+    if request.around is not None or request.rrd or request.view:
+        raise BadSettings("--around, --rrd and --view are of mode drive")
+    with opened(request.bags) as bags:
+        inputs = inputs_in(bags, parameters, request.topics, request.cmd_vel, request.odom)
+        found, end = guarded(bags, inputs), bags.end
+    for warning in found.warnings:
+        print(f"replay: {warning}", file=sys.stderr)
+    title = f"{', '.join(bag.name for bag in request.bags)}  {_told(inputs)}"
+    print_guarded(found, end, title)
+    if request.json:
+        write_json(found, request.json)
+    if request.plot:
+        from safety_control_cloud.replay.guard.plot import write_plot  # matplotlib takes half a second to load
+
+        write_plot(found, end, request.plot, title)
+
+
+def _told(inputs: Inputs) -> str:
+    odometry = inputs.odometry.name if inputs.odometry else "no odometry"
+    return ", ".join([inputs.commands.name, odometry, *(source.topic.name for source in inputs.sensors)])

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""All messages of a bag, each handed to the guard at the time at which it was recorded."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Dict, List, Optional, Tuple
+
+from safety_control_cloud.replay.bags import BagError, Bags, Recorded
+from safety_control_cloud.replay.eyes import Sighting
+from safety_control_cloud.replay.guard.drive import Answer, GuardDrive, heading_of
+from safety_control_cloud.replay.guard.inputs import Inputs
+from safety_control_cloud.replay.guard.scans import any_eye_for
+from safety_control_cloud.replay.guard.seen import Seen
+from safety_control_cloud.replay.places import Place, Places
+from safety_control_cloud.replay.report import with_progress
+from safety_control_cloud.replay.topics import transforms_in
+
+LONG = 60.0  # [s] without a message
+
+
+@dataclass(frozen=True)
+class Guarded:
+    answers: List[Answer]
+    start: int  # [ns] of the bag
+    warnings: List[str]
+
+
+def guarded(bags: Bags, inputs: Inputs) -> Guarded:
+    """Raises BagError also where nothing of a required sensor can be believed."""
+    reading = _Reading(bags, inputs)
+    count = sum(topic.count for topic in reading.topics)
+    for message in with_progress(bags.messages(reading.topics), count, "messages"):
+        reading.take(message)
+    return reading.end()
+
+
+class _Reading:
+    def __init__(self, bags: Bags, inputs: Inputs) -> None:
+        self._bags, self._inputs = bags, inputs
+        self._places = Places(bags)
+        self._eyes = [any_eye_for(bags, source) for source in inputs.sensors]
+        self._seen = [Seen(source, inputs.settings, number) for number, source in enumerate(inputs.sensors)]
+        self._looking: Dict[str, List[int]] = {}
+        for number, source in enumerate(inputs.sensors):
+            for topic in source.topics:
+                self._looking.setdefault(topic.name, []).append(number)
+        self._drive: Optional[GuardDrive] = None
+        self._start = self._latest = 0  # [ns]
+        self._warnings: List[str] = []
+        moving = transforms_in(bags)
+        self._moving = {topic.name for topic in moving}
+        of_base = [inputs.commands, *([inputs.odometry] if inputs.odometry else [])]
+        self.topics = [*(topic for source in inputs.sensors for topic in source.topics), *of_base, *moving]
+
+    def take(self, message: Recorded) -> None:
+        if self._drive is None:
+            self._start = message.time
+            self._latest = message.time
+            self._drive = GuardDrive(self._inputs.settings, list(self._inputs.names), message.time)
+        self._note_pause(message.time)
+        if message.topic in self._moving:
+            self._places.add(message)
+        elif message.topic in self._looking:
+            for number in self._looking[message.topic]:
+                sighting = self._eyes[number].sighting_of(message)
+                if sighting:
+                    self._drive.see(number, sighting, self._place_of(number, sighting), message.time)
+        elif message.topic == self._inputs.commands.name:
+            self._drive.want(*command_in(self._bags.content_of(message)), message.time)
+        else:
+            self._drive.note_odometry(*odometry_in(self._bags.content_of(message)), message.time)
+
+    def end(self) -> Guarded:
+        if self._drive is None:
+            raise BagError(f"nothing of the guard's in {self._bags.names}; there is: {self._bags.contents()}")
+        self._drive.end(self._bags.end)
+        for seen in self._seen:
+            self._warnings += seen.jumps
+            for problem in seen.problems():
+                if seen.is_required:
+                    raise BagError(problem)
+                self._warnings.append(problem)
+        return Guarded(self._drive.answers, self._start, self._warnings)
+
+    def _place_of(self, number: int, sighting: Sighting) -> Place:
+        place = self._places.at(self._inputs.settings.base_frame, sighting.header)
+        self._seen[number].note(sighting, place, (sighting.time - self._start) / 1e9)
+        return place
+
+    def _note_pause(self, time: int) -> None:
+        pause = (time - self._latest) / 1e9
+        if pause > LONG:
+            self._warnings.append(f"nothing was recorded for {pause:.1f} s from {(self._latest - self._start) / 1e9:.3f} s on: "
+                                  "a pause, or a clock that jumped")
+        self._latest = time
+
+
+def command_in(message: Any) -> Tuple[Tuple[float, ...], Optional[float]]:
+    """A Twist, or a TwistStamped and its stamp [s]."""
+    twist = getattr(message, "twist", message)
+    header = getattr(message, "header", None)
+    stamp = None if header is None else _seconds(header)
+    return (*_numbers(twist.linear), *_numbers(twist.angular)), stamp
+
+
+def odometry_in(message: Any) -> Tuple[float, Tuple[float, float, float], Tuple[float, float, float]]:
+    """Its stamp [s], pose and twist as GuardDrive takes them."""
+    pose, twist = message.pose.pose, message.twist.twist
+    turn = pose.orientation
+    return (_seconds(message.header), (pose.position.x, pose.position.y, heading_of(turn.x, turn.y, turn.z, turn.w)),
+            (twist.linear.x, twist.linear.y, twist.angular.z))
+
+
+def _numbers(vector: Any) -> Tuple[float, float, float]:
+    return (float(vector.x), float(vector.y), float(vector.z))
+
+
+def _seconds(header: Any) -> float:
+    return header.stamp.sec + 1e-9 * header.stamp.nanosec
