@@ -14,6 +14,7 @@ from typing import Any, Set
 import numpy as np
 import pytest
 from drives import camera, depth, wall, write_drive
+from guard_drives import driven_at_wall
 from patience import eventually
 
 pytest.importorskip("rerun", reason="rerun-sdk is not installed (scripts/setup --with view)")
@@ -166,3 +167,15 @@ def page_at(address: str) -> str:
         return urllib.request.urlopen(address, timeout=10).read().decode()
     except OSError:
         return ""  # not yet
+
+
+def test_a_replay_of_the_guard_holds_each_sensor_where_it_is_and_what_is_swept(tmp_path):
+    bag = write_drive(tmp_path / "guarded.bag", driven_at_wall(seconds=2.5, sensors=("camera", "laser")))
+
+    run(sys.executable, "-m", "safety_control_cloud.replay", bag, "--mode", "guard", "--rrd", tmp_path / "guarded.rrd")
+
+    there = entities(tmp_path / "guarded.rrd")
+    for sensor in ("/camera_depth_points", "/scan"):
+        assert there >= {sensor + name for name in GUARDED | {"/world/camera", "/speed/driven"}}
+    assert "/camera_depth_points/world/camera/depth" in there and "/scan/world/camera/points" in there
+    assert "Danger, SEEN: obstacle at x" in texts(tmp_path / "guarded.rrd")

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass
-from typing import Deque, Optional, Tuple, Union
+from typing import Any, Deque, Optional, Tuple, Union
 
 from safety_control_cloud import core
 from safety_control_cloud.replay.bags import BagError, Bags, Recorded
 from safety_control_cloud.replay.compressed import image_of
 from safety_control_cloud.replay.topics import CAMERA, COMPRESSED, Source
-from safety_control_cloud.replay.wire import Header, Image, Points, WireError, image_in, points_in
+from safety_control_cloud.replay.wire import Header, Image, WireError, image_in, points_in
 
 WAITING = 5  # of each kind at most wait for the other one; as in the node
 
@@ -25,7 +25,7 @@ class Sighting:
     source: str
     cloud: core.Cloud
     messages: Tuple[Recorded, ...]  # what it was made of
-    content: Union[Points, Image, None]  # points, or depths; None: a scan
+    content: Any  # wire.Points, wire.Image, or guard.scans.Scan
     camera: Optional[Pinhole] = None  # of depths
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Callable, Dict, Iterator, Optional, Sequence
 
 from safety_control_cloud import core
+from safety_control_cloud.replay.eyes import Sighting
 from safety_control_cloud.replay.lockstep import Answer
 from safety_control_cloud.replay.recording import RecordedCloud
 from safety_control_cloud.replay.silence import Silence, silences
@@ -53,8 +54,11 @@ def silent(silence: Silence) -> Moment:
 
 
 def _picture(cloud: RecordedCloud, before: Optional[Picture]) -> Optional[Picture]:
-    sighting = cloud.sighting
-    if sighting is None or sighting.cloud.unreadable is not None:
+    return shown_of(cloud.sighting, before) if cloud.sighting else None
+
+
+def shown_of(sighting: Sighting, before: Optional[Picture]) -> Optional[Picture]:
+    if sighting.cloud.unreadable is not None:
         return None
     if isinstance(sighting.content, Image) and sighting.camera:
         return depth_of(metres_of(sighting.content), Pinhole(**asdict(sighting.camera)))

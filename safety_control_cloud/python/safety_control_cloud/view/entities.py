@@ -71,7 +71,7 @@ def _styles(settings: core.Settings) -> Entities:
 def entities_of(moment: Moment, settings: core.Settings, before: Optional[Moment] = None) -> Entities:
     """Of one moment; the picture is left out where it has none, and what goes on from the moment before is not said again."""
     scene = _floor(moment, settings) if guards(settings) else _corridor_ahead(moment, settings)
-    return [*_gone(moment, before, settings), *_picture(moment, settings), *scene, *_plots(moment, settings), *_said(moment, before)]
+    return [*_gone(moment, before, settings), *_picture(moment, before, settings), *scene, *_plots(moment, settings), *_said(moment, before)]
 
 
 def _gone(moment: Moment, before: Optional[Moment], settings: core.Settings) -> Entities:
@@ -81,8 +81,11 @@ def _gone(moment: Moment, before: Optional[Moment], settings: core.Settings) -> 
     return [(f"{camera_path(settings)}/depth", rr.Clear(recursive=False)), (_points_path(settings), rr.Clear(recursive=False))]
 
 
-def _picture(moment: Moment, settings: core.Settings) -> Entities:
+def _picture(moment: Moment, before: Optional[Moment], settings: core.Settings) -> Entities:
+    """The same object as before is the same picture."""
     picture, camera = moment.picture, camera_path(settings)
+    if before is not None and picture is before.picture:
+        picture = None
     if guards(settings):
         if moment.place is None:
             return []  # where it belongs is not known

@@ -46,6 +46,11 @@ def does(answer: Answer) -> str:
     return LESS if answer.factor > 0.0 else NOTHING
 
 
+def zone_of(answer: Answer) -> str:
+    """As the node's ~state has it."""
+    return ZONES[does(answer)]
+
+
 def spans(answers: Sequence[Answer], end: int) -> List[Span]:
     grouped = [(kind, list(its)) for (kind, _), its in groupby(answers, lambda answer: (does(answer), answer.cause))]
     ends = [its[0].time for _, its in grouped[1:]] + [end]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Dict, List, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
 
 from safety_control_cloud.replay.bags import BagError, Bags, Recorded
 from safety_control_cloud.replay.eyes import Sighting
@@ -15,6 +15,9 @@ from safety_control_cloud.replay.places import Place, Places
 from safety_control_cloud.replay.report import with_progress
 from safety_control_cloud.replay.topics import transforms_in
 
+if TYPE_CHECKING:
+    from safety_control_cloud.replay.guard.show import Show
+
 LONG = 60.0  # [s] without a message
 
 
@@ -25,9 +28,9 @@ class Guarded:
     warnings: List[str]
 
 
-def guarded(bags: Bags, inputs: Inputs) -> Guarded:
+def guarded(bags: Bags, inputs: Inputs, show: Optional[Show] = None) -> Guarded:
     """Raises BagError also where nothing of a required sensor can be believed."""
-    reading = _Reading(bags, inputs)
+    reading = _Reading(bags, inputs, show)
     count = sum(topic.count for topic in reading.topics)
     for message in with_progress(bags.messages(reading.topics), count, "messages"):
         reading.take(message)
@@ -35,8 +38,9 @@ def guarded(bags: Bags, inputs: Inputs) -> Guarded:
 
 
 class _Reading:
-    def __init__(self, bags: Bags, inputs: Inputs) -> None:
+    def __init__(self, bags: Bags, inputs: Inputs, show: Optional[Show]) -> None:
         self._bags, self._inputs = bags, inputs
+        self._show, self._shown = show, 0
         self._places = Places(bags)
         self._eyes = [any_eye_for(bags, source) for source in inputs.sensors]
         self._seen = [Seen(source, inputs.settings, number) for number, source in enumerate(inputs.sensors)]
@@ -64,16 +68,18 @@ class _Reading:
             for number in self._looking[message.topic]:
                 sighting = self._eyes[number].sighting_of(message)
                 if sighting:
-                    self._drive.see(number, sighting, self._place_of(number, sighting), message.time)
+                    self._see(number, sighting)
         elif message.topic == self._inputs.commands.name:
             self._drive.want(*command_in(self._bags.content_of(message)), message.time)
         else:
             self._drive.note_odometry(*odometry_in(self._bags.content_of(message)), message.time)
+        self._show_answers()
 
     def end(self) -> Guarded:
         if self._drive is None:
             raise BagError(f"nothing of the guard's in {self._bags.names}; there is: {self._bags.contents()}")
         self._drive.end(self._bags.end)
+        self._show_answers()
         for seen in self._seen:
             self._warnings += seen.jumps
             for problem in seen.problems():
@@ -81,6 +87,20 @@ class _Reading:
                     raise BagError(problem)
                 self._warnings.append(problem)
         return Guarded(self._drive.answers, self._start, self._warnings)
+
+    def _see(self, number: int, sighting: Sighting) -> None:
+        assert self._drive
+        place = self._place_of(number, sighting)
+        self._drive.see(number, sighting, place, sighting.time)
+        if self._show:
+            self._show_answers()
+            self._show.picture(number, sighting, place, self._drive.answers[-1])
+
+    def _show_answers(self) -> None:
+        if self._show and self._drive:
+            for answer in self._drive.answers[self._shown :]:
+                self._show.answer(answer)
+            self._shown = len(self._drive.answers)
 
     def _place_of(self, number: int, sighting: Sighting) -> Place:
         place = self._places.at(self._inputs.settings.base_frame, sighting.header)
