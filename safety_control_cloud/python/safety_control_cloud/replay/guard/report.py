@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from dataclasses import asdict, dataclass
-from itertools import groupby
+from itertools import dropwhile, groupby
 from pathlib import Path
 from typing import Any, Dict, List, Optional, Sequence
 
@@ -19,6 +19,7 @@ from safety_control_cloud.replay.guard.run import Guarded
 from safety_control_cloud.replay.report import WIDE
 from safety_control_cloud.zone_colours import PRINTED as COLOURS
 
+NOT_YET = ("NO_CLOUD", "NO_TRANSFORM")  # of a guard that has just started
 PASSES, LESS, NOTHING = "passes", "less", "nothing"
 ZONES = {PASSES: "Safe", LESS: "Warning", NOTHING: "Danger"}
 
@@ -78,20 +79,27 @@ def table_of(guarded: Guarded, end: int, title: str) -> Table:
 
 
 def summary_of(guarded: Guarded, end: int) -> str:
-    """How often commands passed, and the moment where something else was given first."""
-    commands = [answer for answer in guarded.answers if answer.asked_by == COMMAND]
+    """How often commands passed, and the moment where something else was given first; without the start."""
+    answers = _after_start(guarded.answers)
+    commands = [answer for answer in answers if answer.asked_by == COMMAND]
+    early = sum(answer.asked_by == COMMAND for answer in guarded.answers) - len(commands)
     scaled = sum(answer.differs and answer.factor > 0.0 for answer in commands)
     stopped = sum(answer.differs and answer.factor == 0.0 for answer in commands)
     told = (f"{len(commands)} command{'' if len(commands) == 1 else 's'}: {len(commands) - scaled - stopped} pass, "
-            f"{scaled} scaled, {stopped} stopped")
-    ends = [*(answer.time for answer in guarded.answers[1:]), end]
-    differ = [(answer, until - answer.time) for answer, until in zip(guarded.answers, ends) if answer.differs]
+            f"{scaled} scaled, {stopped} stopped{f'; {early} before the first picture' if early else ''}")
+    ends = [*(answer.time for answer in answers[1:]), end]
+    differ = [(answer, until - answer.time) for answer, until in zip(answers, ends) if answer.differs]
     if not differ:
-        return f"{told}; what was wanted is what the guard gives"
+        return f"{told}\nwhat was wanted is what the guard gives"
     first, lasting = differ[0][0], sum(lasts for _, lasts in differ) / 1e9
     where = f" by {first.sensor}" if first.sensor else ""
     return (f"{told}\ndiffers first at {(first.time - guarded.start) / 1e9:.3f} s: {_motion(first.wanted)} wanted, "
             f"{_motion(first.given)} given, {first.cause}{where}; for {lasting:.1f} s in all")
+
+
+def _after_start(answers: Sequence[Answer]) -> List[Answer]:
+    """A guard that had run before the bag began would have seen by then; all, if nothing is ever seen."""
+    return list(dropwhile(lambda answer: answer.cause in NOT_YET, answers)) or list(answers)
 
 
 def write_json(guarded: Guarded, path: Path) -> None:
