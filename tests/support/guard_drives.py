@@ -110,3 +110,19 @@ def driven_at_wall(
         if "laser" in sensors:
             records.append(scan(time + 0.031, hall_with_wall(gap - at(time + 0.031), number)))
     return records
+
+
+def moved(time: float, x: float) -> Record:
+    """TF's odometry."""
+    record = placed(time, (x, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), parent="odom")
+
+    def make(store: Any) -> Any:
+        message = record.make(store)
+        message.transforms[0].child_frame_id = BASE
+        return message
+    return replace(record, make=make, source="/base")
+
+
+def touched(time: float, is_touched: bool, topic: str = "/bumper") -> Record:
+    kind = "std_msgs/msg/Bool"
+    return Record(round(time * SECOND), topic, kind, lambda store: store.types[kind](data=is_touched), "/base")

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from drives import SECOND, camera, depth, write_drive
+from drives import SECOND, START, camera, depth, write_drive, write_drive2
 from guard_answers import SENSORS, replay, to_commands, told
-from guard_drives import camera_placed, commanded, driven_at_wall, hall_with_wall, odometry, scan, wall_and_floor
+from guard_drives import at, camera_placed, commanded, driven_at_wall, hall_with_wall, moved, odometry, scan, touched, wall_and_floor
 
 from safety_control_cloud import core
 from safety_control_cloud.replay.bags import BagError
@@ -147,3 +147,42 @@ def test_the_judge_leaves_the_guard_to_replay(tmp_path):
 def test_help_tells_of_the_guard():
     words = " ".join(replay("--help").stdout.split())
     assert "--mode guard: the guard's own decision in the bag's own time" in words and "--cmd-vel T" in words
+
+
+def test_with_an_odom_frame_the_bags_transforms_tell_where_the_robot_went(tmp_path):
+    drive = driven_at_wall()
+    by_tf = [record for record in drive if record.topic != "/odom"] + [
+        moved(record.time / SECOND, at(record.time / SECOND)) for record in drive if record.topic == "/odom"]
+    by_topic = to_commands(told(tmp_path, write_drive(tmp_path / "odom.bag", drive)))
+
+    answers = to_commands(told(tmp_path, write_drive(tmp_path / "tf.bag", by_tf), "--param", "odom_frame=odom"))
+    blind = to_commands(told(tmp_path, tmp_path / "tf.bag"))
+
+    assert [answer["driven"] for answer in answers] == [None] * 60
+    off = [abs(one["factor"] - other["factor"]) for one, other in zip(answers, by_topic)]
+    assert sum(off) < sum(abs(one["factor"] - other["factor"]) for one, other in zip(blind, by_topic))
+    assert [answer["cause"] for answer in answers] == [answer["cause"] for answer in by_topic]
+
+
+@pytest.mark.parametrize("write, name", [(write_drive, "drive.bag"), (write_drive2, "drive")])
+def test_a_bumper_closes_its_side_and_one_that_never_spoke_is_told(tmp_path, write, name):
+    records = [*driven_at_wall(gap=4.0), touched(1.5, True), touched(2.0, False)]
+    (tmp_path / "guard.yaml").write_text(json.dumps({"mode": "guard", "switches": [
+        {"name": "front", "type": "bumper", "topic": "bumper", "side": "front"},
+        {"name": "rear", "type": "bumper", "topic": "rear", "side": "rear"}]}))
+
+    result = replay(write(tmp_path / name, records), "--settings", tmp_path / "guard.yaml", "--json", tmp_path / "answers.json")
+
+    assert (result.returncode, result.stderr) == (0, "replay: nothing of the switch rear was recorded: it is taken for released\n")
+    answers = json.loads((tmp_path / "answers.json").read_text())
+    bumped = [answer["time"] - START / 1e9 for answer in answers if answer["cause"] == "BUMPER"]
+    assert bumped[0] == pytest.approx(1.5) and 2.4 < bumped[-1] < 2.55  # released for switch_release_time
+    assert next(answer for answer in answers if answer["cause"] == "BUMPER")["asked_by"] == "front"
+
+
+def test_what_no_side_is_said_of_is_refused(tmp_path):
+    bag = write_drive(tmp_path / "drive.bag", [*LASER_ALONE, touched(0.5, True)])
+    (tmp_path / "guard.yaml").write_text(json.dumps({"switches": [{"name": "front", "type": "bumper", "topic": "bumper"}]}))
+
+    with pytest.raises(BagError, match="bumper is of std_msgs/msg/Bool, which do not say a side"):
+        told(tmp_path, bag, "--settings", tmp_path / "guard.yaml")

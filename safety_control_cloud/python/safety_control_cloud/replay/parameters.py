@@ -49,9 +49,8 @@ def settings_of(parameters: Mapping[str, Any]) -> core.Settings:
 def _as(kind: type, value: Any) -> Any:
     if kind is bool:
         return _truth(value)
-    if kind is list and isinstance(value, list):
-        return value
-    if isinstance(value, (bool, list)) or kind is list or kind is int and isinstance(value, float) and value != int(value):
+    unlike = kind is list and not isinstance(value, list) or kind is int and isinstance(value, float) and value != int(value)
+    if isinstance(value, bool) or unlike:
         raise ValueError(value)
     return kind(value)
 

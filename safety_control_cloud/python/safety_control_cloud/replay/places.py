@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Union
+from typing import Any, Union
 
 import numpy as np
 
@@ -46,6 +46,15 @@ class Places:
         except self._tf2.TransformException as problem:
             return str(problem)
         return matrix_of(found.transform)
+
+    def latest(self, target_frame: str, frame: str) -> Any:
+        """The newest TransformStamped between them; None if there is none."""
+        from genpy import Time
+
+        try:
+            return self._buffer.lookup_transform_core(target_frame, frame, Time())
+        except self._tf2.TransformException:
+            return None
 
 
 def matrix_of(transform) -> Place:

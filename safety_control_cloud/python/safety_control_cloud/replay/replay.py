@@ -17,6 +17,8 @@ from safety_control_cloud.replay.silence import silences
 from safety_control_cloud.replay.topics import INPUTS
 from safety_control_cloud.view.options import recorded_in
 
+LISTS = ("sensors", "switches")  # which no argument of a node can be
+
 
 def replay(request: Request) -> None:
     """Raises parameters.BadSettings, bags.BagError, lockstep.BadParameters, lockstep.NoAnswer, processes.ProcessError,
@@ -30,10 +32,11 @@ def replay(request: Request) -> None:
         return replay_guarded(request, given)
     if request.cmd_vel or request.odom:
         raise BadSettings("--cmd-vel and --odom are of --mode guard")
-    if given.get("sensors"):
-        raise BadSettings("sensors are of mode guard: --mode guard")
+    for name in LISTS:
+        if given.pop(name, None):
+            raise BadSettings(f"{name} are of mode guard: --mode guard")
     with recorded_in(request.rrd, request.view) as rrd:
-        _replay(request, {name: str(value) for name, value in given.items() if name != "sensors"}, rrd)
+        _replay(request, {name: str(value) for name, value in given.items()}, rrd)
 
 
 def _replay(request: Request, parameters: Mapping[str, str], rrd: Optional[Path]) -> None:

@@ -2,18 +2,18 @@
 """One guard in the bag's own time: what ros/guard_node.cpp does when a message comes, and when none does."""
 from __future__ import annotations
 
-import math
 import struct
 from dataclasses import dataclass
 from typing import List, Optional, Tuple
 
 from safety_control_cloud import core
 from safety_control_cloud.replay.eyes import Sighting
+from safety_control_cloud.replay.guard.poses import Pose, Poses
 from safety_control_cloud.replay.places import Place
 
 Numbers = Tuple[float, ...]  # linear x, y, z [m/s], angular x, y, z [rad/s]
 Motion = Tuple[float, float, float]  # forward, left [m/s], turning left [rad/s]
-COMMAND, QUIET = "command", "quiet"  # why the guard answered, besides the name of a sensor
+COMMAND, QUIET = "command", "quiet"  # why the guard answered, besides the name of a sensor or switch
 SHORTEST = 1e-3  # [s] between two answers to nothing; as in ros/time/wake.cpp
 NOTHING_CHANGES_AFTER = 60.0  # [s] without a message: each timeout is over by then
 
@@ -23,7 +23,7 @@ class Answer:
     """What the guard gave, published as the node would have. Frame: base_frame."""
 
     time: int  # [ns] of the bag
-    asked_by: str  # COMMAND, QUIET or the sensor whose picture changed what is safe
+    asked_by: str  # COMMAND, QUIET, a switch, or the sensor whose picture changed what is safe
     wanted: Numbers
     given: Numbers
     driven: Optional[Motion]  # by the latest odometry, which is that of the recorded drive
@@ -43,10 +43,10 @@ class Answer:
 class GuardDrive:
     """Times [ns] of the bag, never backward."""
 
-    def __init__(self, settings: core.Settings, names: List[str], start: int) -> None:
-        """Raises ValueError with all problems of the settings."""
+    def __init__(self, settings: core.Settings, names: List[str], start: int, poses: Optional[Poses] = None) -> None:
+        """`poses`: by TF, in the place of odometry. Raises ValueError with all problems of the settings."""
         self._control = core.GuardControl(settings)
-        self._names, self._start = names, start
+        self._names, self._start, self._poses = names, start, poses
         self._period = max(0.01, min(1.0 / settings.publish_rate, settings.sensor_period))  # [s]
         self._driven: Optional[Motion] = None
         self.answers: List[Answer] = []
@@ -55,10 +55,11 @@ class GuardDrive:
 
     def see(self, sensor: int, sighting: Sighting, place: Place, time: int) -> None:
         self._wait(time)
+        self._note_transform()
         self._control.see(
             sighting.cloud, now=self._steady(time), ros_now=ros(time), stamp=sighting.header.seconds, camera=place,
             source=sighting.source, frame=sighting.header.frame, sensor=sensor)
-        self._answer(time, self._names[sensor])
+        self._answer(time, self._names[sensor], only_changes=True)
 
     def want(self, wanted: Numbers, stamp: Optional[float], time: int) -> None:
         """`stamp` [s]: of a command that has one."""
@@ -66,8 +67,12 @@ class GuardDrive:
         self._control.want(wanted[:3], wanted[3:], now=self._steady(time), ros_now=ros(time), stamp=stamp)
         self._answer(time, COMMAND)
 
-    def note_odometry(self, stamp: float, pose: Motion, twist: Motion, time: int) -> None:
-        """`pose`: x, y [m], heading [rad]."""
+    def touch(self, switch: str, side: str, touched: bool, time: int) -> None:
+        self._wait(time)
+        self._control.note_switch(switch, side, touched, self._steady(time))
+        self._answer(time, switch)
+
+    def note_odometry(self, stamp: float, pose: Pose, twist: Motion, time: int) -> None:
         self._wait(time)
         self._control.note_odometry(stamp, pose, twist)
         self._driven = twist
@@ -81,14 +86,18 @@ class GuardDrive:
         while self._due < latest:
             self._answer(self._start + round(self._due * 1e9), QUIET)
 
-    def _answer(self, time: int, asked_by: str) -> None:
-        """To a picture only if it changes what is safe."""
+    def _note_transform(self) -> None:
+        told = self._poses.next() if self._poses else None
+        if told:
+            self._control.note_pose(*told)
+
+    def _answer(self, time: int, asked_by: str, only_changes: bool = False) -> None:
         now = self._steady(time)
+        self._note_transform()
         said = self._control.answer(now, ros(time))
         answer = self._answer_of(said, time, asked_by)
         before = self.answers[-1] if self.answers else None
-        of_sensor = asked_by not in (COMMAND, QUIET)
-        if of_sensor and before and bits(before.given) == bits(answer.given) and before.cause == answer.cause:
+        if only_changes and before and bits(before.given) == bits(answer.given) and before.cause == answer.cause:
             return
         self.answers.append(answer)
         changes = [change for change in (self._control.until_silent(now), said.override_left) if change > 0.0]
@@ -112,8 +121,3 @@ def bits(numbers: Numbers) -> bytes:
 def ros(time: int) -> float:
     """[s] in the double that roscpp makes of it."""
     return time // 10**9 + 1e-9 * (time % 10**9)
-
-
-def heading_of(x: float, y: float, z: float, w: float) -> float:
-    """[rad] of a quaternion, as in ros/guard_node.cpp."""
-    return math.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))

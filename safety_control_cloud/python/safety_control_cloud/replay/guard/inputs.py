@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Dict, List, Mapping, Optional, Sequence
 
 from safety_control_cloud import core
 from safety_control_cloud.replay.bags import BagError, Bags, Topic
+from safety_control_cloud.replay.guard.switches import Switch, switches_in
 from safety_control_cloud.replay.parameters import BadSettings, settings_of
 from safety_control_cloud.replay.topics import COMPRESSED, OWN, Source, lasers_in, listed, same, sources_in
 
@@ -24,6 +25,7 @@ class Inputs:
     names: Sequence[str]  # of the sensors
     commands: Topic
     odometry: Optional[Topic]
+    switches: Sequence[Switch] = ()
 
     @property
     def are_stamped(self) -> bool:
@@ -36,9 +38,15 @@ def inputs_in(bags: Bags, parameters: Mapping[str, Any], topics: Sequence[str] =
 
     Raises BagError, BadSettings.
     """
+    found = _without_switches(bags, parameters, topics, cmd_vel, odom)
+    return replace(found, switches=switches_in(bags, found.settings))
+
+
+def _without_switches(bags: Bags, parameters: Mapping[str, Any], topics: Sequence[str], cmd_vel: Optional[str],
+                      odom: Optional[str]) -> Inputs:
     given = {name: value for name, value in parameters.items() if name not in OF_TRANSPORT}
     commands = _commands(bags, cmd_vel, given.get("command_type"))
-    odometry = _odometry(bags, odom)
+    odometry = _odometry(bags, odom, given.get("odom_frame"))
     given["mode"] = "guard"
     given["command_type"] = next(name for name, kind in COMMANDS.items() if kind == commands.kind)
     if given.get("sensors"):
@@ -112,7 +120,12 @@ def _commands(bags: Bags, name: Optional[str], kind: Optional[str]) -> Topic:
     raise BagError(f"{what} in {bags.names}: {hint}; there is: {_topics(found or there) or bags.contents()}")
 
 
-def _odometry(bags: Bags, name: Optional[str]) -> Optional[Topic]:
+def _odometry(bags: Bags, name: Optional[str], frame: Optional[str]) -> Optional[Topic]:
+    """With a frame, TF tells it."""
+    if frame:
+        if name is not None:
+            raise BadSettings("either odom_frame or --odom says where the robot went")
+        return None
     there = [topic for topic in bags.topics() if topic.kind == ODOMETRY]
     if name is not None:
         return _one_named(name, there, _words([ODOMETRY]), bags)

@@ -48,5 +48,7 @@ def _guarded(bags: Bags, inputs: Inputs, rrd: Optional[Path]) -> Guarded:
 
 
 def _told(inputs: Inputs) -> str:
-    odometry = inputs.odometry.name if inputs.odometry else "no odometry"
-    return ", ".join([inputs.commands.name, odometry, *(source.topic.name for source in inputs.sensors)])
+    frame = inputs.settings.odom_frame
+    odometry = inputs.odometry.name if inputs.odometry else f"{frame} by TF" if frame else "no odometry"
+    switches = [switch.topic.name for switch in inputs.switches]
+    return ", ".join([inputs.commands.name, odometry, *switches, *(source.topic.name for source in inputs.sensors)])

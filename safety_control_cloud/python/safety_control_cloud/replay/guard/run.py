@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
 
 from safety_control_cloud.replay.bags import BagError, Bags, Recorded
 from safety_control_cloud.replay.eyes import Sighting
-from safety_control_cloud.replay.guard.drive import Answer, GuardDrive, heading_of
+from safety_control_cloud.replay.guard.drive import Answer, GuardDrive
 from safety_control_cloud.replay.guard.inputs import Inputs
+from safety_control_cloud.replay.guard.poses import Poses, heading_of
 from safety_control_cloud.replay.guard.scans import any_eye_for
 from safety_control_cloud.replay.guard.seen import Seen
 from safety_control_cloud.replay.places import Place, Places
@@ -41,7 +42,9 @@ class _Reading:
     def __init__(self, bags: Bags, inputs: Inputs, show: Optional[Show]) -> None:
         self._bags, self._inputs = bags, inputs
         self._show, self._shown = show, 0
-        self._places = Places(bags)
+        self._places, settings = Places(bags), inputs.settings
+        self._poses = Poses(self._places, settings.odom_frame, settings.base_frame) if settings.odom_frame else None
+        self._switches = {switch.topic.name: switch for switch in inputs.switches}
         self._eyes = [any_eye_for(bags, source) for source in inputs.sensors]
         self._seen = [Seen(source, inputs.settings, number) for number, source in enumerate(inputs.sensors)]
         self._looking: Dict[str, List[int]] = {}
@@ -53,14 +56,15 @@ class _Reading:
         self._warnings: List[str] = []
         moving = transforms_in(bags)
         self._moving = {topic.name for topic in moving}
-        of_base = [inputs.commands, *([inputs.odometry] if inputs.odometry else [])]
+        of_base = [inputs.commands, *([inputs.odometry] if inputs.odometry else []),
+                   *(switch.topic for switch in inputs.switches)]
         self.topics = [*(topic for source in inputs.sensors for topic in source.topics), *of_base, *moving]
 
     def take(self, message: Recorded) -> None:
         if self._drive is None:
             self._start = message.time
             self._latest = message.time
-            self._drive = GuardDrive(self._inputs.settings, list(self._inputs.names), message.time)
+            self._drive = GuardDrive(self._inputs.settings, list(self._inputs.names), message.time, self._poses)
         self._note_pause(message.time)
         if message.topic in self._moving:
             self._places.add(message)
@@ -71,6 +75,9 @@ class _Reading:
                     self._see(number, sighting)
         elif message.topic == self._inputs.commands.name:
             self._drive.want(*command_in(self._bags.content_of(message)), message.time)
+        elif message.topic in self._switches:
+            switch = self._switches[message.topic]
+            self._drive.touch(switch.name, *switch.word_in(message), message.time)
         else:
             self._drive.note_odometry(*odometry_in(self._bags.content_of(message)), message.time)
         self._show_answers()
@@ -86,6 +93,9 @@ class _Reading:
                 if seen.is_required:
                     raise BagError(problem)
                 self._warnings.append(problem)
+        said = {switch.name for switch in self._inputs.switches}
+        self._warnings += [f"nothing of the switch {one['name']} was recorded: it is taken for released"
+                           for one in self._inputs.settings.switches if one["name"] not in said]
         return Guarded(self._drive.answers, self._start, self._warnings)
 
     def _see(self, number: int, sighting: Sighting) -> None:
