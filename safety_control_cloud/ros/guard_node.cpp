@@ -104,8 +104,7 @@ void GuardNode::on_arrival(std::size_t sensor, const Arrival& arrival) {
   see(sensor, arrival, came);
   const Guarded& decided = answer();
   const double decision_time = seconds_since(came), latency = age_of(header_);
-  const bool changes = !same_bits(to_twist(decided.given), said_) || decided.cause != said_cause_;
-  if (changes) publish(decided);
+  if (changes(decided)) publish(decided);
   diagnostics_.on_cloud(to_decision(decided), header_, decision_time, latency, sensor);
 }
 
@@ -127,7 +126,8 @@ void GuardNode::on_switch(std::size_t which, Edge edge, bool touched) {
   const Instant came = now();
   gap_.beat(came, control_.settings());
   control_.note_switch(which, edge, touched, came);
-  publish(answer());
+  const Guarded& decided = answer();
+  if (changes(decided)) publish(decided);
 }
 
 /// Whole or not at all. What was collected for another outline is of no use: the robot stands until the next cloud.
@@ -196,6 +196,10 @@ const Guarded& GuardNode::answer() {
   const Guarded& answer = control_.answer(answered_at_);
   diagnostics_.note_override(answer.override_left);
   return answer;
+}
+
+bool GuardNode::changes(const Guarded& answer) const {
+  return !same_bits(to_twist(answer.given), said_) || answer.cause != said_cause_;
 }
 
 /// The next answer is due after a period, or once a sensor counts as silent or an override ends, if that is sooner:

@@ -54,6 +54,7 @@ class GuardNode : public Node {
   void see(std::size_t sensor, const Arrival& arrival, const Instant& came);
   void note_transform();
   const Guarded& answer();
+  bool changes(const Guarded& answer) const;
   void publish(const Guarded& answer);
   double period() const;
 

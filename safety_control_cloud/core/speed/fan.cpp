@@ -7,6 +7,8 @@
 namespace safety_control_cloud {
 namespace {
 
+constexpr double nearly_none = 0.02;  ///< [m/s] to the side, as odometry has it that is made of poses
+
 /// Of curvatures [rad/m].
 struct Band {
   double least, greatest;
@@ -28,17 +30,37 @@ double gained(const Turning& turning, double curvature, double speed, double sha
          0.5 * std::max(0.0, turning.wanted) * faster * faster * speed / law.linear_deceleration;
 }
 
+/// What a motion has in the direction of the wanted one, and to its side [m/s].
+struct Split {
+  double along, across;
+};
+
+std::optional<Split> split(const Twist2& under_way, const Twist2& wanted) {
+  const double speed = speed_of(wanted);
+  if (!(speed > 0.0)) return std::nullopt;
+  const double along = dot(linear(under_way), linear(wanted)) / speed;
+  const double across = std::abs(cross(linear(under_way), linear(wanted))) / speed;
+  const bool turns_in_place = along == 0.0 && under_way.w != 0.0;
+  if (along < 0.0 || across > nearly_none || turns_in_place) return std::nullopt;
+  return Split{along, across};
+}
+
+/// [m] that it leads until it has been shed.
+double way_across(double across, double share, double speed, const Law& law, const Response& response,
+                  const Factors& factors) {
+  const double change = std::max(std::abs(factors.least - share), std::abs(factors.most - share));
+  const double linear_time = ((change + factors.most) * speed + across) / law.linear_deceleration;
+  return across * (response.delay + linear_time);
+}
+
 }  // namespace
 
 std::optional<Fan> fan(const Outline& outline, const Law& law, const Response& response, const Twist2& under_way,
                        const Twist2& wanted, const Factors& factors) {
-  const double speed = speed_of(wanted), before = speed_of(under_way);
-  const double along = dot(linear(under_way), linear(wanted));
-  const bool same_direction = along >= 0.0 && cross(linear(under_way), linear(wanted)) == 0.0;
-  if (!(speed > 0.0) || !same_direction || (before == 0.0 && under_way.w != 0.0)) return std::nullopt;
-
-  const double share = before / speed;
-  const double old_curvature = before > 0.0 ? under_way.w / before : 0.0, new_curvature = wanted.w / speed;
+  const auto before = split(under_way, wanted);
+  if (!before) return std::nullopt;
+  const double speed = speed_of(wanted), share = before->along / speed;
+  const double old_curvature = share > 0.0 ? under_way.w / before->along : 0.0, new_curvature = wanted.w / speed;
   const Band band{std::min({old_curvature, new_curvature, 0.0}), std::max({old_curvature, new_curvature, 0.0})};
   const double left = gained({under_way.w, wanted.w}, band.greatest, speed, share, law, factors);
   const double right = gained({-under_way.w, -wanted.w}, -band.least, speed, share, law, factors);
@@ -49,8 +71,9 @@ std::optional<Fan> fan(const Outline& outline, const Law& law, const Response& r
   Fan fan{share, {}, 0.0};
   for (std::size_t i = 0; i < Fan::size; ++i)
     fan.twists[i] = {wanted.vx, wanted.vy, speed * (band.least + apart * static_cast<double>(i))};
-  fan.widening =
-      std::max(left, right) * (reach + way) + band.width() * way * way / 8.0 + 0.5 * apart * way * (reach + 0.5 * way);
+  fan.widening = std::max(left, right) * (reach + way) + band.width() * way * way / 8.0 +
+                 0.5 * apart * way * (reach + 0.5 * way) +
+                 way_across(before->across, share, speed, law, response, factors);
   return fan;
 }
 

@@ -55,6 +55,13 @@ TEST(Fan, IsMirrored) {
                    fan_of({-0.3, 0.0, 0.2}, {-0.5, 0.0, -0.7})->widening);
 }
 
+TEST(Fan, ASlightMotionAcrossIsAddedToIt) {
+  const double along = fan_of({0.4, 0.0, 0.2}, {0.5, 0.0, 0.3})->widening;
+  const double across = fan_of({0.4, 0.003, 0.2}, {0.5, 0.0, 0.3})->widening;
+  EXPECT_GT(across, along + 0.003 * 0.15);
+  EXPECT_LT(across, along + 0.02);
+}
+
 TEST(Fan, IsNoneForWhoDoesNotDriveInTheSameDirection) {
   EXPECT_FALSE(fan_of({-0.1, 0.0, 0.0}, {0.3, 0.0, 0.0}));
   EXPECT_FALSE(fan_of({0.1, 0.1, 0.0}, {0.3, 0.0, 0.0}));
