@@ -180,6 +180,16 @@ def test_a_bumper_closes_its_side_and_one_that_never_spoke_is_told(tmp_path, wri
     assert next(answer for answer in answers if answer["cause"] == "BUMPER")["asked_by"] == "front"
 
 
+def test_two_switches_may_hear_one_topic(tmp_path):
+    (tmp_path / "guard.yaml").write_text(json.dumps({"switches": [
+        {"name": side, "type": "bumper", "topic": "bumper", "side": side} for side in ("rear", "front")]}))
+    bag = write_drive(tmp_path / "drive.bag", [*driven_at_wall(gap=4.0), touched(1.5, True), touched(2.0, False)])
+
+    answers = told(tmp_path, bag, "--settings", tmp_path / "guard.yaml")
+
+    assert [side for side in ("rear", "front") if any(f"touches the {side}" in answer["reason"] for answer in answers)] == ["rear", "front"]
+
+
 def test_what_no_side_is_said_of_is_refused(tmp_path):
     bag = write_drive(tmp_path / "drive.bag", [*LASER_ALONE, touched(0.5, True)])
     (tmp_path / "guard.yaml").write_text(json.dumps({"switches": [{"name": "front", "type": "bumper", "topic": "bumper"}]}))

@@ -50,5 +50,5 @@ def _guarded(bags: Bags, inputs: Inputs, rrd: Optional[Path]) -> Guarded:
 def _told(inputs: Inputs) -> str:
     frame = inputs.settings.odom_frame
     odometry = inputs.odometry.name if inputs.odometry else f"{frame} by TF" if frame else "no odometry"
-    switches = [switch.topic.name for switch in inputs.switches]
+    switches = dict.fromkeys(switch.topic.name for switch in inputs.switches)
     return ", ".join([inputs.commands.name, odometry, *switches, *(source.topic.name for source in inputs.sensors)])

@@ -12,6 +12,7 @@ from safety_control_cloud.replay.guard.inputs import Inputs
 from safety_control_cloud.replay.guard.poses import Poses, heading_of
 from safety_control_cloud.replay.guard.scans import any_eye_for
 from safety_control_cloud.replay.guard.seen import Seen
+from safety_control_cloud.replay.guard.switches import Switch
 from safety_control_cloud.replay.places import Place, Places
 from safety_control_cloud.replay.report import with_progress
 from safety_control_cloud.replay.topics import transforms_in
@@ -44,7 +45,9 @@ class _Reading:
         self._show, self._shown = show, 0
         self._places, settings = Places(bags), inputs.settings
         self._poses = Poses(self._places, settings.odom_frame, settings.base_frame) if settings.odom_frame else None
-        self._switches = {switch.topic.name: switch for switch in inputs.switches}
+        self._switches: Dict[str, List[Switch]] = {}
+        for switch in inputs.switches:
+            self._switches.setdefault(switch.topic.name, []).append(switch)
         self._eyes = [any_eye_for(bags, source) for source in inputs.sensors]
         self._seen = [Seen(source, inputs.settings, number) for number, source in enumerate(inputs.sensors)]
         self._looking: Dict[str, List[int]] = {}
@@ -57,7 +60,7 @@ class _Reading:
         moving = transforms_in(bags)
         self._moving = {topic.name for topic in moving}
         of_base = [inputs.commands, *([inputs.odometry] if inputs.odometry else []),
-                   *(switch.topic for switch in inputs.switches)]
+                   *{switch.topic.name: switch.topic for switch in inputs.switches}.values()]
         self.topics = [*(topic for source in inputs.sensors for topic in source.topics), *of_base, *moving]
 
     def take(self, message: Recorded) -> None:
@@ -76,8 +79,8 @@ class _Reading:
         elif message.topic == self._inputs.commands.name:
             self._drive.want(*command_in(self._bags.content_of(message)), message.time)
         elif message.topic in self._switches:
-            switch = self._switches[message.topic]
-            self._drive.touch(switch.name, *switch.word_in(message), message.time)
+            for switch in self._switches[message.topic]:
+                self._drive.touch(switch.name, *switch.word_in(message), message.time)
         else:
             self._drive.note_odometry(*odometry_in(self._bags.content_of(message)), message.time)
         self._show_answers()
