@@ -2,12 +2,10 @@
 #include "guard_node.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "command/leaving.hpp"
 #include "input/footprint_message.hpp"
-#include "input/poses.hpp"
 #include "input/wanted.hpp"
 #include "output/guard_messages.hpp"
 #include "time/moments.hpp"
@@ -50,20 +48,11 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
           log_),
       diagnostics_(handle, private_handle, names_of(settings.sensors)) {
   on_quiet();
+  odometry_.emplace(handle, control_, [this](const std::string& line) { log_.warn(line); });
   override_ = private_handle.advertiseService("override", &GuardNode::on_override, this);
-  const auto at_once = ros::TransportHints().tcpNoDelay();
   wanted_ = subscribe_to_wanted(
       handle, settings.command_type,
       [this](const geometry_msgs::Twist& wanted, std::optional<double> stamp) { on_wanted(wanted, stamp); });
-  if (settings.odom_frame.empty()) {
-    odometry_ = handle.subscribe<nav_msgs::Odometry>(
-        "odom", 10,
-        boost::function<void(const nav_msgs::Odometry::ConstPtr&)>(
-            [this](const nav_msgs::Odometry::ConstPtr& odometry) { on_odometry(*odometry); }),
-        nullptr, at_once);
-  } else {
-    tf_odometry_.emplace(settings.odom_frame, settings.base_frame);
-  }
   footprint_ = private_handle.subscribe<geometry_msgs::PolygonStamped>(
       "footprint", 1,
       boost::function<void(const geometry_msgs::PolygonStamped::ConstPtr&)>(
@@ -113,7 +102,7 @@ void GuardNode::see(std::size_t sensor, const Arrival& arrival, const Instant& c
   const double stamp = arrival.header.stamp.toSec();
   Origin origin{stamp, OpticalFrame{}, arrival.source, arrival.header.frame_id};
   control_.note_about(sensor, gap_.doubt_about(stamp, came, control_.settings()));
-  note_transform();
+  odometry_->ask(base_.buffer());
   try {
     origin.placing = base_.at(arrival.header);
     control_.see(arrival.reading, origin, came, sensor);
@@ -145,18 +134,6 @@ void GuardNode::on_footprint(const geometry_msgs::PolygonStamped& polygon) {
   publish(answer());
 }
 
-void GuardNode::on_odometry(const nav_msgs::Odometry& odometry) {
-  const std::string& base = control_.settings().base_frame;
-  if (odometry.child_frame_id != base && !warned_of_frame_) {
-    log_.warn("odometry is of " + odometry.child_frame_id + "; it is taken for that of " + base +
-              ", which must differ from it in height alone");
-    warned_of_frame_ = true;
-  }
-  const auto& twist = odometry.twist.twist;
-  control_.note_odometry(odometry.header.stamp.toSec(), pose_of(odometry.pose.pose),
-                         {twist.linear.x, twist.linear.y, twist.angular.z});
-}
-
 void GuardNode::on_quiet() {
   gap_.beat(now(), control_.settings());
   const Guarded& decided = answer();
@@ -177,13 +154,8 @@ bool GuardNode::on_override(OverrideRequest& wish, OverrideResponse& response) {
   return true;
 }
 
-void GuardNode::note_transform() {
-  const auto told = tf_odometry_ ? tf_odometry_->next(base_.buffer()) : std::nullopt;
-  if (told) control_.note_pose(told->stamp, told->pose);
-}
-
 const Guarded& GuardNode::answer() {
-  note_transform();
+  if (odometry_) odometry_->ask(base_.buffer());
   control_.note_outside(commands_.doubt());
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     if (!channels_[i]->has_sent()) control_.note_about(i, lost_things_.nothing_seen(channels_[i]->why_nothing_came()));

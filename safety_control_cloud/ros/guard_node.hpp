@@ -3,7 +3,6 @@
 
 #include <geometry_msgs/PolygonStamped.h>
 #include <geometry_msgs/Twist.h>
-#include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <safety_control_cloud/Override.h>
 
@@ -17,9 +16,9 @@
 #include "input/arrival.hpp"
 #include "input/camera_place.hpp"
 #include "input/channel.hpp"
+#include "input/odometry_input.hpp"
 #include "input/own_gap.hpp"
 #include "input/switch_input.hpp"
-#include "input/tf_odometry.hpp"
 #include "memory/lost_things.hpp"
 #include "node.hpp"
 #include "output/diagnostics.hpp"
@@ -46,13 +45,11 @@ class GuardNode : public Node {
   void on_wanted(const geometry_msgs::Twist& wanted, std::optional<double> stamp);
   void on_switch(std::size_t which, Edge edge, bool touched);
   void on_footprint(const geometry_msgs::PolygonStamped& polygon);
-  void on_odometry(const nav_msgs::Odometry& odometry);
   void on_quiet();
   bool on_override(OverrideRequest& wish, OverrideResponse& response);
 
   bool may_have_waited(const Instant& came) const;
   void see(std::size_t sensor, const Arrival& arrival, const Instant& came);
-  void note_transform();
   const Guarded& answer();
   bool changes(const Guarded& answer) const;
   void publish(const Guarded& answer);
@@ -64,10 +61,10 @@ class GuardNode : public Node {
   std::vector<std::unique_ptr<SwitchInput>> switches_;  ///< in the order of the settings
   Commands commands_;
   CameraPlace base_;  ///< whose frame the camera is placed in
-  std::optional<TfOdometry> tf_odometry_;
   GuardReports reports_;
   LostThings lost_things_;
-  ros::Subscriber wanted_, odometry_, footprint_;
+  std::optional<OdometryInput> odometry_;  ///< from the end of the construction on
+  ros::Subscriber wanted_, footprint_;
   Wake quiet_;
   ros::ServiceServer override_;
   Reconfigure reconfigure_;
@@ -77,7 +74,6 @@ class GuardNode : public Node {
   std_msgs::Header header_;  ///< of the latest that came
   geometry_msgs::Twist said_;
   Cause said_cause_ = Cause::NoCloud;
-  bool warned_of_frame_ = false;
 };
 
 }  // namespace safety_control_cloud

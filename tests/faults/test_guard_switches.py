@@ -50,26 +50,37 @@ def robot(master):
         switch.end()
 
 
+def drives(robot):
+    robot.driver.say(AHEAD)
+    robot.passes(AHEAD)
+
+
+def stands_without(robot, name):
+    """Who drove until the switch's publisher left; what it says then."""
+    drives(robot)
+    getattr(robot, name).end()
+    state = robot.stands("SILENT")
+    assert state.sensor == name
+    return state
+
+
 def gives(robot, speed):
     return robot.gives(lambda state: abs(state.given.linear.x - speed) < 1e-9)
 
 
 def test_a_bumper_that_is_pressed_leaves_the_way_back_at_escape_speed(robot):
-    robot.driver.say(AHEAD)
-    robot.passes(AHEAD)
+    drives(robot)
     robot.front.say(True)
     state = robot.stands("BUMPER")
     assert (state.sensor, state.open, state.stuck) == ("front", 2, True)
     robot.driver.say(BACK)
     gives(robot, -0.1)
     robot.front.say(False)
-    robot.driver.say(AHEAD)
-    robot.passes(AHEAD)
+    drives(robot)
 
 
 def test_the_first_command_after_a_touch_is_zero(robot):
-    robot.driver.say(AHEAD)
-    robot.passes(AHEAD)
+    drives(robot)
     robot.front.say(True)
     robot.stands("BUMPER")
     said = [bits(command) for command in robot.commands.all()]
@@ -80,8 +91,7 @@ def test_the_first_command_after_a_touch_is_zero(robot):
 
 
 def test_a_kobuki_says_which_of_its_bumpers(robot):
-    robot.driver.say(AHEAD)
-    robot.passes(AHEAD)
+    drives(robot)
     robot.kobuki.say(0, 1)
     assert "front_left" in robot.stands("BUMPER").reason
     robot.kobuki.say(1, 1)
@@ -102,11 +112,7 @@ def test_a_cliff_behind_closes_the_way_back(robot):
 
 
 def test_one_that_should_speak_and_does_not_stops_the_robot(robot):
-    robot.driver.say(AHEAD)
-    robot.passes(AHEAD)
-    robot.edge.end()
-    state = robot.stands("SILENT")
-    assert state.sensor == "edge"
+    stands_without(robot, "edge")
     robot.edge = Switch("/cliff", Bool, False)
     robot.passes(AHEAD)
     robot.edge.end()
@@ -118,10 +124,6 @@ def test_one_that_should_speak_and_does_not_stops_the_robot(robot):
 
 
 def test_one_that_nobody_publishes_stops_the_robot_and_is_named(robot):
-    robot.driver.say(AHEAD)
-    robot.passes(AHEAD)
-    robot.front.end()
-    state = robot.stands("SILENT")
-    assert state.sensor == "front" and "/bumper" in state.reason
+    assert "/bumper" in stands_without(robot, "front").reason
     robot.front = Switch("/bumper", Bool)
     robot.passes(AHEAD)

@@ -20,6 +20,13 @@ void drive(Odometry& odometry, const Twist2& twist, double from, double seconds)
   for (int i = 0; i <= std::lround(seconds / 0.02); ++i) odometry.note(from + 0.02 * i, way_of(twist, 0.02 * i), twist);
 }
 
+void expect_near(const std::optional<Pose2>& way, const Pose2& expected, double tolerance) {
+  ASSERT_TRUE(way);
+  EXPECT_NEAR(way->place.x, expected.place.x, tolerance);
+  EXPECT_NEAR(way->place.y, expected.place.y, tolerance);
+  EXPECT_NEAR(way->heading, expected.heading, 1e-9);
+}
+
 TEST(Pose, AWayIsSeenBackwardByARestingPoint) {
   const Twist2 twist{0.3, 0.1, 0.7};
   const Point2 point{1.0, -0.5};
@@ -32,12 +39,7 @@ TEST(Odometry, TellsTheWayBetweenAndBeyondItsPoses) {
   Odometry odometry;
   const Twist2 twist{0.4, 0.0, 0.5};
   drive(odometry, twist, 10.0, 1.0);
-  const auto way = odometry.way_since(10.33, 11.1);
-  ASSERT_TRUE(way);
-  const Pose2 expected = way_of(twist, 0.77);
-  EXPECT_NEAR(way->place.x, expected.place.x, 1e-4);
-  EXPECT_NEAR(way->place.y, expected.place.y, 1e-4);
-  EXPECT_NEAR(way->heading, expected.heading, 1e-9);
+  expect_near(odometry.way_since(10.33, 11.1), way_of(twist, 0.77), 1e-4);
 }
 
 /// As TF has it: of the pose alone.
@@ -50,12 +52,7 @@ TEST(Odometry, OfPosesAloneTellsTheSameWayAndTheTwistBetweenThem) {
     odometry.note_pose(10.0 + 0.02 * i, pose, 0.7, 3.14);
   }
   EXPECT_EQ(odometry.breaks(), std::size_t{0});
-  const auto way = odometry.way_since(10.33, 12.0);
-  ASSERT_TRUE(way);
-  const Pose2 expected = way_of(twist, 1.67);
-  EXPECT_NEAR(way->place.x, expected.place.x, 1e-3);
-  EXPECT_NEAR(way->place.y, expected.place.y, 1e-3);
-  EXPECT_NEAR(way->heading, expected.heading, 1e-9);
+  expect_near(odometry.way_since(10.33, 12.0), way_of(twist, 1.67), 1e-3);
   ASSERT_TRUE(odometry.twist_at(12.0));
   EXPECT_NEAR(odometry.twist_at(12.0)->vx, twist.vx, 0.01);
   EXPECT_NEAR(odometry.twist_at(12.0)->vy, twist.vy, 0.01);

@@ -7,6 +7,7 @@ from typing import Iterator, NamedTuple, Optional, Tuple
 from safety_control_cloud import core
 from safety_control_cloud.replay.eyes import Sighting
 from safety_control_cloud.replay.places import Place
+from safety_control_cloud.replay.wire import seconds_of
 
 NAN = float("nan")
 
@@ -48,7 +49,7 @@ class Drive:
         self._last = sighting.time
         self._seen += 1
         decision = self._control.decide(
-            sighting.cloud, now=self._steady(sighting.time), ros_now=_seconds(sighting.time),
+            sighting.cloud, now=self._steady(sighting.time), ros_now=seconds_of(sighting.time),
             stamp=sighting.header.seconds, source=sighting.source, camera=place,
             frame=sighting.header.frame)
         yield self._verdict(decision, sighting.number, sighting.time, sighting.header.stamp)
@@ -56,7 +57,7 @@ class Drive:
     def wait(self, until: int) -> Iterator[Verdict]:
         """The silence since the last cloud, if it is one by then."""
         if self._seen and until - self._last > self._timeout:
-            decision = self._control.without_cloud(self._steady(until), _seconds(until))
+            decision = self._control.without_cloud(self._steady(until), seconds_of(until))
             yield self._verdict(decision, self._seen - 1, self._last + self._timeout, None)
 
     def _steady(self, time: int) -> float:
@@ -76,8 +77,3 @@ class Drive:
             self._topic, number, time, stamp, decision.zone.name.capitalize(), decision.cause.name, decision.reason,
             nearest.distance if nearest else None, x if seen else None, y if seen else None, z if seen else None,
             decision.speed, sight.inside, sight.returns, sight.total)
-
-
-def _seconds(time: int) -> float:
-    """[s] in the double that roscpp makes of it."""
-    return time // 10**9 + 1e-9 * (time % 10**9)

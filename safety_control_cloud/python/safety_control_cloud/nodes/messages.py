@@ -2,7 +2,7 @@
 """What the simulated TurtleBot says, as ROS messages. Stamps are genpy Times; frames as on the real robot."""
 from __future__ import annotations
 
-from math import atan2, cos, sin
+from math import cos, sin
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,6 +14,7 @@ from nav_msgs.msg import Odometry
 from sensor_msgs.msg import CameraInfo, Image, JointState, PointCloud2, PointField
 from std_msgs.msg import Header
 
+from ..headings import heading_of
 from ..simulation.base import WHEEL_RADIUS, Pose, Velocity
 from ..simulation.sensor import POINT, Xtion, fill_cloud, fill_colour, millimetres
 
@@ -44,9 +45,7 @@ def to_quaternion(yaw: float) -> Quaternion:
 
 def to_pose(pose: RosPose) -> Pose:
     """As seen from above."""
-    turn = pose.orientation
-    yaw = atan2(2 * (turn.w * turn.z + turn.x * turn.y), 1 - 2 * (turn.y**2 + turn.z**2))
-    return Pose(pose.position.x, pose.position.y, yaw)
+    return Pose(pose.position.x, pose.position.y, heading_of(pose.orientation))
 
 
 def to_ros_pose(pose: Pose, z: float = 0.0) -> RosPose:

@@ -9,14 +9,14 @@ from typing import Any, Tuple
 import numpy as np
 from PIL import Image as Picture
 
-from safety_control_cloud.replay.wire import Header, Image, WireError
+from safety_control_cloud.replay.wire import Header, Image, WireError, header_in
 
 PREFIX = struct.Struct("<iff")  # the format, and the two numbers by which floating depths were quantised
 
 
 def image_of(message: Any) -> Tuple[Header, Image]:
     """The depths in a sensor_msgs/CompressedImage. Raises WireError."""
-    header = Header(message.header.stamp.sec * 10**9 + message.header.stamp.nanosec, message.header.frame_id)
+    header = header_in(message)
     encoding, _, how = message.format.partition(";")
     if "compressedDepth" not in how or "rvl" in how.lower():
         raise WireError(f"its format is {message.format!r}, not that of a PNG by compressedDepth")

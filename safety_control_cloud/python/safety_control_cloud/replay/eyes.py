@@ -10,7 +10,7 @@ from safety_control_cloud import core
 from safety_control_cloud.replay.bags import BagError, Bags, Recorded
 from safety_control_cloud.replay.compressed import image_of
 from safety_control_cloud.replay.topics import CAMERA, COMPRESSED, Source
-from safety_control_cloud.replay.wire import Header, Image, WireError, image_in, points_in
+from safety_control_cloud.replay.wire import Header, Image, WireError, header_in, image_in, points_in
 
 WAITING = 5  # of each kind at most wait for the other one; as in the node
 
@@ -92,8 +92,8 @@ class DepthEye:
     def _read(self, message: Recorded) -> _Waiting:
         if message.kind == CAMERA:
             content = self._bags.content_of(message)
-            stamp = content.header.stamp.sec * 10**9 + content.header.stamp.nanosec
-            return _Waiting(stamp, message, Header(stamp, content.header.frame_id), content)
+            header = header_in(content)
+            return _Waiting(header.stamp, message, header, content)
         try:
             if message.kind == COMPRESSED:
                 header, image = image_of(self._bags.content_of(message))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import struct
 from dataclasses import dataclass
-from typing import List, Tuple, Union
+from typing import Any, List, Tuple, Union
 
 from safety_control_cloud import core
 
@@ -24,7 +24,18 @@ class Header:
     @property
     def seconds(self) -> float:
         """[s] in the double that roscpp makes of it."""
-        return self.stamp // 10**9 + 1e-9 * (self.stamp % 10**9)
+        return seconds_of(self.stamp)
+
+
+def seconds_of(time: int) -> float:
+    """[s] of a time [ns], in the double that roscpp makes of it."""
+    return time // 10**9 + 1e-9 * (time % 10**9)
+
+
+def header_in(message: Any) -> Header:
+    """That of a message which rosbags has read."""
+    stamp = message.header.stamp
+    return Header(stamp.sec * 10**9 + stamp.nanosec, message.header.frame_id)
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ from safety_control_cloud import core
 from safety_control_cloud.replay.eyes import Sighting
 from safety_control_cloud.replay.guard.poses import Pose, Poses
 from safety_control_cloud.replay.places import Place
+from safety_control_cloud.replay.wire import seconds_of
 
 Numbers = Tuple[float, ...]  # linear x, y, z [m/s], angular x, y, z [rad/s]
 Motion = Tuple[float, float, float]  # forward, left [m/s], turning left [rad/s]
@@ -57,14 +58,14 @@ class GuardDrive:
         self._wait(time)
         self._note_transform()
         self._control.see(
-            sighting.cloud, now=self._steady(time), ros_now=ros(time), stamp=sighting.header.seconds, camera=place,
+            sighting.cloud, now=self._steady(time), ros_now=seconds_of(time), stamp=sighting.header.seconds, camera=place,
             source=sighting.source, frame=sighting.header.frame, sensor=sensor)
         self._answer(time, self._names[sensor], only_changes=True)
 
     def want(self, wanted: Numbers, stamp: Optional[float], time: int) -> None:
         """`stamp` [s]: of a command that has one."""
         self._wait(time)
-        self._control.want(wanted[:3], wanted[3:], now=self._steady(time), ros_now=ros(time), stamp=stamp)
+        self._control.want(wanted[:3], wanted[3:], now=self._steady(time), ros_now=seconds_of(time), stamp=stamp)
         self._answer(time, COMMAND)
 
     def touch(self, switch: str, side: str, touched: bool, time: int) -> None:
@@ -94,7 +95,7 @@ class GuardDrive:
     def _answer(self, time: int, asked_by: str, only_changes: bool = False) -> None:
         now = self._steady(time)
         self._note_transform()
-        said = self._control.answer(now, ros(time))
+        said = self._control.answer(now, seconds_of(time))
         answer = self._answer_of(said, time, asked_by)
         before = self.answers[-1] if self.answers else None
         if only_changes and before and bits(before.given) == bits(answer.given) and before.cause == answer.cause:
@@ -116,8 +117,3 @@ class GuardDrive:
 
 def bits(numbers: Numbers) -> bytes:
     return struct.pack("6d", *numbers)
-
-
-def ros(time: int) -> float:
-    """[s] in the double that roscpp makes of it."""
-    return time // 10**9 + 1e-9 * (time % 10**9)

@@ -27,10 +27,6 @@ class Inputs:
     odometry: Optional[Topic]
     switches: Sequence[Switch] = ()
 
-    @property
-    def are_stamped(self) -> bool:
-        return self.commands.kind == COMMANDS["twist_stamped"]
-
 
 def inputs_in(bags: Bags, parameters: Mapping[str, Any], topics: Sequence[str] = (), cmd_vel: Optional[str] = None,
               odom: Optional[str] = None) -> Inputs:

@@ -2,9 +2,9 @@
 """Where the bag's transforms say that the robot is, in a frame that rests: what ros/input/tf_odometry.cpp does."""
 from __future__ import annotations
 
-import math
 from typing import Optional, Tuple
 
+from safety_control_cloud.headings import heading_of
 from safety_control_cloud.replay.places import Places
 
 Pose = Tuple[float, float, float]  # x, y [m], heading [rad]
@@ -21,10 +21,5 @@ class Poses:
         if latest is None or latest.header.stamp.to_sec() == self._told:
             return None
         self._told = latest.header.stamp.to_sec()
-        at, turn = latest.transform.translation, latest.transform.rotation
-        return self._told, (at.x, at.y, heading_of(turn.x, turn.y, turn.z, turn.w))
-
-
-def heading_of(x: float, y: float, z: float, w: float) -> float:
-    """[rad] of a quaternion, as in ros/input/poses.cpp."""
-    return math.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
+        at = latest.transform.translation
+        return self._told, (at.x, at.y, heading_of(latest.transform.rotation))

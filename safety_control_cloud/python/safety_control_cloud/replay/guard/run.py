@@ -5,17 +5,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
 
+from safety_control_cloud.headings import heading_of
 from safety_control_cloud.replay.bags import BagError, Bags, Recorded
 from safety_control_cloud.replay.eyes import Sighting
 from safety_control_cloud.replay.guard.drive import Answer, GuardDrive
 from safety_control_cloud.replay.guard.inputs import Inputs
-from safety_control_cloud.replay.guard.poses import Poses, heading_of
+from safety_control_cloud.replay.guard.poses import Poses
 from safety_control_cloud.replay.guard.scans import any_eye_for
 from safety_control_cloud.replay.guard.seen import Seen
 from safety_control_cloud.replay.guard.switches import Switch
 from safety_control_cloud.replay.places import Place, Places
 from safety_control_cloud.replay.report import with_progress
 from safety_control_cloud.replay.topics import transforms_in
+from safety_control_cloud.replay.wire import header_in
 
 if TYPE_CHECKING:
     from safety_control_cloud.replay.guard.show import Show
@@ -131,22 +133,16 @@ class _Reading:
 def command_in(message: Any) -> Tuple[Tuple[float, ...], Optional[float]]:
     """A Twist, or a TwistStamped and its stamp [s]."""
     twist = getattr(message, "twist", message)
-    header = getattr(message, "header", None)
-    stamp = None if header is None else _seconds(header)
+    stamp = None if not hasattr(message, "header") else header_in(message).seconds
     return (*_numbers(twist.linear), *_numbers(twist.angular)), stamp
 
 
 def odometry_in(message: Any) -> Tuple[float, Tuple[float, float, float], Tuple[float, float, float]]:
     """Its stamp [s], pose and twist as GuardDrive takes them."""
     pose, twist = message.pose.pose, message.twist.twist
-    turn = pose.orientation
-    return (_seconds(message.header), (pose.position.x, pose.position.y, heading_of(turn.x, turn.y, turn.z, turn.w)),
+    return (header_in(message).seconds, (pose.position.x, pose.position.y, heading_of(pose.orientation)),
             (twist.linear.x, twist.linear.y, twist.angular.z))
 
 
 def _numbers(vector: Any) -> Tuple[float, float, float]:
     return (float(vector.x), float(vector.y), float(vector.z))
-
-
-def _seconds(header: Any) -> float:
-    return header.stamp.sec + 1e-9 * header.stamp.nanosec

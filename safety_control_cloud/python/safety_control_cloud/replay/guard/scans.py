@@ -11,7 +11,7 @@ from safety_control_cloud import core
 from safety_control_cloud.replay.bags import Bags, Recorded
 from safety_control_cloud.replay.eyes import CloudEye, DepthEye, Sighting, eye_for
 from safety_control_cloud.replay.topics import Source
-from safety_control_cloud.replay.wire import Header
+from safety_control_cloud.replay.wire import header_in
 
 
 @dataclass(frozen=True)
@@ -39,13 +39,12 @@ class ScanEye:
     def sighting_of(self, message: Recorded) -> Optional[Sighting]:
         """Raises BagError."""
         scan = self._bags.content_of(message)
-        header = Header(scan.header.stamp.sec * 10**9 + scan.header.stamp.nanosec, scan.header.frame_id)
         cloud = core.Cloud.of_scan(
             scan.ranges, scan.angle_min, scan.angle_max, scan.angle_increment, scan.range_min, scan.range_max,
             scan.time_increment, scan.scan_time)
         content = Scan(scan.ranges, scan.angle_min, scan.angle_increment, scan.range_min, scan.range_max)
         self._seen += 1
-        return Sighting(self._seen - 1, message.time, header, message.source, cloud, (message,), content)
+        return Sighting(self._seen - 1, message.time, header_in(scan), message.source, cloud, (message,), content)
 
 
 def any_eye_for(bags: Bags, source: Source) -> Union[CloudEye, DepthEye, ScanEye]:

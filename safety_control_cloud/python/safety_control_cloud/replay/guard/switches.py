@@ -8,11 +8,11 @@ from typing import Dict, List, Mapping, Tuple
 from safety_control_cloud import core
 from safety_control_cloud.replay.bags import BagError, Bags, Recorded, Topic
 from safety_control_cloud.replay.topics import same
+from safety_control_cloud.replay.wire import CDR_PREFIX
 
 BOOL = "std_msgs/msg/Bool"
 OF_KOBUKI = ("kobuki_msgs/msg/BumperEvent", "kobuki_msgs/msg/CliffEvent")  # which say their side
 SIDES_OF_KOBUKI = ("front_left", "front", "front_right")
-CDR_PREFIX = 4  # [byte]
 
 
 @dataclass(frozen=True)

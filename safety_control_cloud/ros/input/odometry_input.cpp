@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odometry_input.hpp"
+
+#include <ros/transport_hints.h>
+
+#include <utility>
+
+#include "poses.hpp"
+
+namespace safety_control_cloud {
+
+OdometryInput::OdometryInput(ros::NodeHandle& handle, GuardControl& control,
+                             std::function<void(const std::string&)> warn)
+    : control_(control), warn_(std::move(warn)) {
+  const Settings& settings = control_.settings();
+  if (!settings.odom_frame.empty()) {
+    transforms_.emplace(settings.odom_frame, settings.base_frame);
+    return;
+  }
+  subscriber_ = handle.subscribe<nav_msgs::Odometry>(
+      "odom", 10,
+      boost::function<void(const nav_msgs::Odometry::ConstPtr&)>(
+          [this](const nav_msgs::Odometry::ConstPtr& odometry) { on_message(*odometry); }),
+      nullptr, ros::TransportHints().tcpNoDelay());
+}
+
+void OdometryInput::ask(const tf2_ros::Buffer& buffer) {
+  const auto told = transforms_ ? transforms_->next(buffer) : std::nullopt;
+  if (told) control_.note_pose(told->stamp, told->pose);
+}
+
+void OdometryInput::on_message(const nav_msgs::Odometry& odometry) {
+  const std::string& base = control_.settings().base_frame;
+  if (odometry.child_frame_id != base && !warned_of_frame_) {
+    warn_("odometry is of " + odometry.child_frame_id + "; it is taken for that of " + base +
+          ", which must differ from it in height alone");
+    warned_of_frame_ = true;
+  }
+  const auto& twist = odometry.twist.twist;
+  control_.note_odometry(odometry.header.stamp.toSec(), pose_of(odometry.pose.pose),
+                         {twist.linear.x, twist.linear.y, twist.angular.z});
+}
+
+}  // namespace safety_control_cloud

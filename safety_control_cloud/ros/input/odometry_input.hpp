@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nav_msgs/Odometry.h>
+#include <ros/node_handle.h>
+#include <ros/subscriber.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "../../core/guard_control.hpp"
+#include "tf_odometry.hpp"
+
+namespace safety_control_cloud {
+
+/// Where the robot goes, on its way into the control: from nav_msgs/Odometry, or with an odom_frame from TF.
+class OdometryInput {
+ public:
+  /// What it is told of is told to `control`; `warn` of a frame that is not base_frame, once.
+  OdometryInput(ros::NodeHandle& handle, GuardControl& control, std::function<void(const std::string&)> warn);
+  OdometryInput(const OdometryInput&) = delete;
+  OdometryInput& operator=(const OdometryInput&) = delete;
+
+  /// What TF knows by now, if it is to be asked.
+  void ask(const tf2_ros::Buffer& buffer);
+
+ private:
+  void on_message(const nav_msgs::Odometry& odometry);
+
+  GuardControl& control_;
+  std::function<void(const std::string&)> warn_;
+  std::optional<TfOdometry> transforms_;
+  ros::Subscriber subscriber_;
+  bool warned_of_frame_ = false;
+};
+
+}  // namespace safety_control_cloud
