@@ -72,7 +72,8 @@ inline DepthView image_of(const Depths& picture) {
   return image;
 }
 
-/// The points of such an image. In a cloud, -Inf is a point too close; an image here does not say so.
+/// The points of such an image. In a cloud, -Inf is a point too close; an image here does not say so. What is of other
+/// bytes in the image is so in the cloud too, or only one of them would be frozen: +Inf becomes another NaN.
 inline std::vector<float> points_of(const Depths& picture) {
   const Rays rays(image_of(picture));
   std::vector<float> points;
@@ -81,7 +82,7 @@ inline std::vector<float> points_of(const Depths& picture) {
     const auto u = static_cast<float>(i % picture.width), v = static_cast<float>(i / picture.width);
     const float x = (u - rays.cx) * z * rays.x_scale, y = (v - rays.cy) * z * rays.y_scale;
     if (z == inf)
-      points.insert(points.end(), {nan, nan, nan});
+      points.insert(points.end(), {nan, nan, -nan});
     else
       points.insert(points.end(), {x, y, z * rays.z_scale});
   }

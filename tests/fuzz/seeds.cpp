@@ -102,6 +102,9 @@ void write_all(const std::string& folder) {
   Choice frozen;
   frozen.frozen_clouds = 1;
   write(folder + "/Frozen", frozen, {free, free, free, near});
+  Step infinite = free;
+  infinite.bytes[0] = 2;
+  write(folder + "/NoReturnInTwoWays", frozen, {free, infinite, free, infinite});
   Choice in_frame;
   in_frame.target_frame = 1;
   write(folder + "/TargetFrame", in_frame, {in_base(free), in_base(near), in_base(lost), in_base(free)});
