@@ -7,8 +7,8 @@
 namespace safety_control_cloud {
 
 Cells::Cells(double extent, double cell)
-    : extent_(extent),
-      per_metre_(1.0 / cell),
+    : extent_(static_cast<float>(extent)),
+      per_metre_(static_cast<float>(1.0 / cell)),
       side_(static_cast<std::size_t>(std::ceil(2.0 * extent / cell)) + 1),
       boxes_(side_ * side_) {
   used_.reserve(boxes_.size());

@@ -15,7 +15,7 @@ class Cells {
   /// `extent` [m] from the origin to each side, `cell` [m] wide.
   Cells(double extent, double cell);
 
-  double extent() const { return extent_; }
+  double extent() const { return double{extent_}; }
   bool holds(float x, float y) const { return x > -extent_ && x < extent_ && y > -extent_ && y < extent_; }
 
   /// A return that it holds.
@@ -32,7 +32,7 @@ class Cells {
     std::uint32_t count = 0;
   };
 
-  double extent_, per_metre_;
+  float extent_, per_metre_;
   std::size_t side_;
   std::vector<Box> boxes_;
   std::vector<std::uint32_t> used_;  ///< of the boxes

@@ -5,8 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "../input/point_reader.hpp"
-#include "../look/meaning.hpp"
+#include "../look/inside.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -16,9 +15,23 @@ constexpr double finest = 0.004;          ///< [m] of the innermost cells
 constexpr double across_finest = 512.0;   ///< of them at most, from side to side
 constexpr double across_coarser = 256.0;  ///< cells
 
+/// The band out to so far [m] to all sides, and a little more, as a corridor that begins behind all of it: what is not
+/// in there is left out many points at a time.
+Outlook around(const Outlook& outlook, const Band& band, double extent) {
+  constexpr double little = 1e-3;  // [m], more than float32 takes away
+  Outlook all = outlook;
+  all.corridor.x_min = static_cast<float>(-extent - little), all.corridor.x_max = static_cast<float>(extent + little);
+  all.corridor.y_min = static_cast<float>(-band.top - little);
+  all.corridor.y_max = static_cast<float>(-band.bottom + little);
+  all.placement = outlook.placement.value_or(Placement{});
+  all.placement->rows[2][3] += static_cast<float>(extent + 1.0);
+  return all;
+}
+
 }  // namespace
 
-Surroundings::Surroundings(const Outline& outline, Band band) : band_(std::move(band)) {
+Surroundings::Surroundings(const Outline& outline, Band band)
+    : band_(std::move(band)), bottom_(static_cast<float>(band_.bottom)), top_(static_cast<float>(band_.top)) {
   const double inner = outline.reach() + outline.margin() + near, middle = 2.0 * inner + 0.5;
   const double outer = std::max(band_.reach, middle + near);
   cells_.emplace_back(inner, std::max(finest, 2.0 * inner / across_finest));
@@ -29,23 +42,24 @@ Surroundings::Surroundings(const Outline& outline, Band band) : band_(std::move(
 
 void Surroundings::look(const View& view, const Outlook& outlook) {
   for (Cells& cells : cells_) cells.clear();
-  const auto bottom = static_cast<float>(band_.bottom), top = static_cast<float>(band_.top);
-  for_each_point(view, [&](float x, float y, float z) {
-    if (!is_return(x, y, z, outlook.corridor)) return;
-    const Point placed = outlook.placed(x, y, z);
-    const float forward = placed.z, left = -placed.x, up = -placed.y;
-    if (up < bottom || up > top || !cells_.back().holds(forward, left)) return;
-    if (is_own(band_.self, forward, left, up)) return;
-    for (Cells& cells : cells_) {
-      if (!cells.holds(forward, left)) continue;
-      cells.add(forward, left);
-      return;
-    }
+  const Outlook all = around(outlook, band_, cells_.back().extent());
+  choose_inside(view, all, [&](const Chosen& inside, const Run& run) {
+    for_each_of(inside, run, [&](float x, float y, float z) { add(outlook.placed(x, y, z)); });
   });
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     Obstacles& obstacles = rings_[i].obstacles;
     cells_[i].write(obstacles);
     rings_[i].returns = std::accumulate(obstacles.counts.begin(), obstacles.counts.end(), std::size_t{0});
+  }
+}
+
+void Surroundings::add(const Point& placed) {
+  const float forward = placed.z, left = -placed.x, up = -placed.y;
+  if (up < bottom_ || up > top_ || is_own(band_.self, forward, left, up)) return;
+  for (Cells& cells : cells_) {
+    if (!cells.holds(forward, left)) continue;
+    cells.add(forward, left);
+    return;
   }
 }
 

@@ -38,7 +38,11 @@ class Surroundings {
   const std::vector<Ring>& rings() const { return rings_; }
 
  private:
+  /// A return in base_frame's optical axes, if it counts.
+  void add(const Point& placed);
+
   Band band_;
+  float bottom_, top_;  ///< the band's
   std::vector<Cells> cells_;
   std::vector<Ring> rings_;
 };

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "../input/point_reader.hpp"
+#include "inside.hpp"
 #include "kernel/scan.hpp"
 #include "nearest.hpp"
 
@@ -19,9 +19,7 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 template <class Visit>
 void for_each_inside(const Run& run, const Outlook& outlook, Visit visit) {
   const Inside inside = inside_of(run, outlook);
-  with_reader(run.points, [&](auto reader) {
-    for (std::size_t i = 0; i < inside.size; ++i) reader(0, inside.columns[i], visit);
-  });
+  for_each_of({inside.columns.data(), inside.size}, run, visit);
 }
 
 /// scan(), and each run's points inside while the run is still in the cache.
@@ -79,6 +77,16 @@ std::vector<float> by_rows(std::vector<float> runs, std::size_t rows) {
 }
 
 }  // namespace
+
+void choose_inside(const View& view, const Outlook& outlook,
+                   const std::function<void(const Chosen& inside, const Run& run)>& take) {
+  const Runs runs(view);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const Run run = runs[i];
+    const Inside inside = inside_of(run, outlook);
+    take({inside.columns.data(), inside.size}, run);
+  }
+}
 
 Sight look(const View& view, const Outlook& outlook, Crop crop, Rows rows) {
   const Runs runs(view, rows);

@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <random>
 
+#include "../../../safety_control_cloud/core/look/meaning.hpp"
 #include "../input/cloud_builder.hpp"
 #include "../path/footprints.hpp"
 
@@ -30,6 +34,40 @@ TEST(Surroundings, WhatLiesOutsideTheBandDoesNotCount) {
                                    at(1, 5, 0.3f),  {nan, nan, nan}, {0, 0, inf},     at(3, 3, 0.3f)};
   seen.look(view_of(points), in_origin());
   EXPECT_EQ(returns_in(seen), 3u);
+}
+
+/// By what a point means one at a time, whichever points are left out at once.
+std::size_t counted_one_by_one(const std::vector<Xyz>& points, const Outlook& outlook, const Surroundings& seen) {
+  const auto extent = static_cast<float>(seen.rings().back().extent);
+  return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](const Xyz& point) {
+    const Point placed = outlook.placed(point.x, point.y, point.z);
+    return is_return(point.x, point.y, point.z, outlook.corridor) && -placed.y >= 0.05f && -placed.y <= 0.55f &&
+           std::abs(placed.z) < extent && std::abs(placed.x) < extent;
+  }));
+}
+
+TEST(Surroundings, CountsToAllSidesWhatPointByPointCounts) {
+  std::mt19937 random(20261122);
+  std::uniform_real_distribution<float> anywhere(-5.0f, 5.0f), height(-0.7f, 0.1f), turn(-3.2f, 3.2f);
+  const std::vector<float> odd = {nan, inf, -inf, 0.0f, -0.05f, -0.55f, 4.0f, -4.0f, 1e30f};
+  for (int times = 0; times < 50; ++times) {
+    std::vector<Xyz> points;
+    for (int i = 0; i < 1500; ++i) points.push_back({anywhere(random), height(random), anywhere(random)});
+    for (Xyz& point : points) {
+      if (random() % 8 == 0) (&point.x)[random() % 3] = odd[random() % odd.size()];
+    }
+    Outlook outlook = in_origin();
+    const Eigen::Matrix3f turned =
+        (Eigen::AngleAxisf(turn(random), Eigen::Vector3f::UnitY()) * Eigen::AngleAxisf(0.1f, Eigen::Vector3f::UnitX()))
+            .toRotationMatrix();
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column) outlook.placement->rows[row][column] = turned(row, column);
+    Surroundings seen = around();
+    seen.look(view_of(points), outlook);
+    EXPECT_EQ(returns_in(seen), counted_one_by_one(points, outlook, seen));
+    seen.look(view_of(points), {outlook.corridor, std::nullopt});
+    EXPECT_EQ(returns_in(seen), counted_one_by_one(points, {outlook.corridor, std::nullopt}, seen));
+  }
 }
 
 TEST(Surroundings, WhatIsOfTheRobotItselfIsCutOut) {

@@ -8,6 +8,8 @@
 #endif
 
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #ifdef __x86_64__
 #include <immintrin.h>
 #endif
@@ -99,6 +101,13 @@ HWY_INLINE V Min(V a, V b) {
 template <class Tag, class M>
 HWY_INLINE Mask<Tag> RebindMask(Tag, M mask) {
   return mask;
+}
+template <class Tag, class M>
+HWY_INLINE bool AllFalse(Tag, M mask) {
+  std::uint64_t words[sizeof(M) / sizeof(std::uint64_t)], any = 0;
+  std::memcpy(words, &mask, sizeof(M));
+  for (const std::uint64_t word : words) any |= word;
+  return any == 0;
 }
 template <class Tag, class M>
 HWY_INLINE Vec<Tag> VecFromMask(Tag, M mask) {
