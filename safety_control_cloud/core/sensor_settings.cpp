@@ -22,7 +22,7 @@ Settings own_settings(const Settings& settings, const SensorSettings& sensor) {
   own.sensors.clear();
   own.switches.clear();
   own.input = sensor.type;
-  for_each_parameter(own, [&](const char* name, auto& setting) {
+  for_each_parameter(own, [&]([[maybe_unused]] const char* name, auto& setting) {  // g++ 9 sees no use of it
     using Value = std::decay_t<decltype(setting)>;
     if constexpr (std::is_arithmetic_v<Value>) {
       const auto found = sensor.own.find(name);
