@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
-
 #include "../../../safety_control_cloud/core/guard_control.hpp"
 #include "../scene.hpp"
+#include "xtion.hpp"
 
 namespace safety_control_cloud {
 
@@ -12,13 +11,6 @@ inline Settings guard_settings() {
   Settings settings;
   settings.mode = Mode::Guard;
   return settings;
-}
-
-/// The place of a TurtleBot's Xtion in base_footprint.
-inline Placing xtion() {
-  Eigen::Matrix<double, 3, 4> place;
-  place << 0, 0, 1, -0.087, -1, 0, 0, 0.0, 0, -1, 0, 0.2972;
-  return placing_of(place);
 }
 
 /// A guarded robot that stands, and its time.
