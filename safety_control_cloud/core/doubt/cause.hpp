@@ -17,7 +17,7 @@ enum class Cause : std::uint8_t {
   ClockJump = 7,       ///< ROS time went backwards
   NearLoss = 8,        ///< something near stopped returning and nothing has been seen behind it
   Frozen = 9,          ///< frozen_clouds clouds with new stamps and the same content
-  NoTransform = 10,    ///< target_frame is set and the camera's place in it is not known
+  NoTransform = 10,    ///< the camera's place in target_frame, or as a guard in base_frame, is not known
   TwoSources = 11,     ///< clouds of two publishers arrive in turn
   LowObstacle = 12,    ///< something lower than the corridor stands on the near floor
   TwoCommanders = 13,  ///< somebody else commands the robot on the same topic
