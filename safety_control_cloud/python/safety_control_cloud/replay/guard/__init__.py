@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Mode guard on a recorded drive: `inputs` finds what it is given, `drive` is one guard in the bag's time, `run` asks it."""
+"""Mode guard on a recorded drive: `inputs` finds what it is given, `drive` is one guard in the bag's time, `reading` hands it a bag."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import struct
 from dataclasses import dataclass
-from typing import List, Optional, Tuple
+from typing import Callable, List, Optional, Tuple
 
 from safety_control_cloud import core
 from safety_control_cloud.replay.eyes import Sighting
@@ -41,16 +41,22 @@ class Answer:
         return bits(self.given) != bits(self.wanted)
 
 
+Told = Callable[[Answer], None]
+
+
 class GuardDrive:
     """Times [ns] of the bag, never backward."""
 
-    def __init__(self, settings: core.Settings, names: List[str], start: int, poses: Optional[Poses] = None) -> None:
-        """`poses`: by TF, in the place of odometry. Raises ValueError with all problems of the settings."""
+    def __init__(self, settings: core.Settings, names: List[str], start: int, told: Told, poses: Optional[Poses] = None) -> None:
+        """`told` hears of each answer, `poses`: by TF, in the place of odometry.
+
+        Raises ValueError with all problems of the settings.
+        """
         self._control = core.GuardControl(settings)
-        self._names, self._start, self._poses = names, start, poses
+        self._names, self._start, self._told, self._poses = names, start, told, poses
         self._period = max(0.01, min(1.0 / settings.publish_rate, settings.sensor_period))  # [s]
         self._driven: Optional[Motion] = None
-        self.answers: List[Answer] = []
+        self.latest: Optional[Answer] = None
         self._due = float("inf")  # [s] steady
         self._answer(start, QUIET)
 
@@ -97,10 +103,11 @@ class GuardDrive:
         self._note_transform()
         said = self._control.answer(now, seconds_of(time))
         answer = self._answer_of(said, time, asked_by)
-        before = self.answers[-1] if self.answers else None
+        before = self.latest
         if only_changes and before and bits(before.given) == bits(answer.given) and before.cause == answer.cause:
             return
-        self.answers.append(answer)
+        self.latest = answer
+        self._told(answer)
         changes = [change for change in (self._control.until_silent(now), said.override_left) if change > 0.0]
         self._due = now + max(min([self._period, *changes]), SHORTEST)
 

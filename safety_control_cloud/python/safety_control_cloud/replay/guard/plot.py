@@ -11,8 +11,9 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
 
+from safety_control_cloud.replay.guard.counts import PASSES, ZONES
 from safety_control_cloud.replay.guard.drive import Answer
-from safety_control_cloud.replay.guard.report import PASSES, ZONES, Span, spans
+from safety_control_cloud.replay.guard.report import Span, spans
 from safety_control_cloud.replay.guard.run import Guarded
 from safety_control_cloud.replay.plot import INK, QUIET, STYLE
 from safety_control_cloud.zone_colours import DRAWN as COLOURS

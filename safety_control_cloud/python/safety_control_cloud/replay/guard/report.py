@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from dataclasses import asdict, dataclass
-from itertools import dropwhile, groupby
+from itertools import groupby
 from pathlib import Path
 from typing import Any, Dict, List, Optional, Sequence
 
@@ -14,14 +14,11 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from safety_control_cloud.replay.guard.drive import COMMAND, Answer, Numbers
+from safety_control_cloud.replay.guard.counts import PASSES, ZONES, Counts, does
+from safety_control_cloud.replay.guard.drive import Answer, Numbers
 from safety_control_cloud.replay.guard.run import Guarded
 from safety_control_cloud.replay.report import WIDE
 from safety_control_cloud.zone_colours import PRINTED as COLOURS
-
-NOT_YET = ("NO_CLOUD", "NO_TRANSFORM")  # of a guard that has just started
-PASSES, LESS, NOTHING = "passes", "less", "nothing"
-ZONES = {PASSES: "Safe", LESS: "Warning", NOTHING: "Danger"}
 
 
 @dataclass(frozen=True)
@@ -39,17 +36,6 @@ class Span:
     @property
     def least(self) -> float:
         return min(answer.factor for answer in self.answers)
-
-
-def does(answer: Answer) -> str:
-    if not answer.differs and answer.factor > 0.0:
-        return PASSES
-    return LESS if answer.factor > 0.0 else NOTHING
-
-
-def zone_of(answer: Answer) -> str:
-    """As the node's ~state has it."""
-    return ZONES[does(answer)]
 
 
 def spans(answers: Sequence[Answer], end: int) -> List[Span]:
@@ -80,26 +66,18 @@ def table_of(guarded: Guarded, end: int, title: str) -> Table:
 
 def summary_of(guarded: Guarded, end: int) -> str:
     """How often commands passed, and the moment where something else was given first; without the start."""
-    answers = _after_start(guarded.answers)
-    commands = [answer for answer in answers if answer.asked_by == COMMAND]
-    early = sum(answer.asked_by == COMMAND for answer in guarded.answers) - len(commands)
-    scaled = sum(answer.differs and answer.factor > 0.0 for answer in commands)
-    stopped = sum(answer.differs and answer.factor == 0.0 for answer in commands)
-    told = (f"{len(commands)} command{'' if len(commands) == 1 else 's'}: {len(commands) - scaled - stopped} pass, "
-            f"{scaled} scaled, {stopped} stopped{f'; {early} before the first picture' if early else ''}")
-    ends = [*(answer.time for answer in answers[1:]), end]
-    differ = [(answer, until - answer.time) for answer, until in zip(answers, ends) if answer.differs]
-    if not differ:
+    counts = Counts()
+    for answer in guarded.answers:
+        counts.add(answer)
+    counts.end(end)
+    told = (f"{counts.commands} command{'' if counts.commands == 1 else 's'}: {counts.passed} pass, {counts.scaled} scaled, "
+            f"{counts.stopped} stopped{f'; {counts.early} before the first picture' if counts.early else ''}")
+    first = counts.first
+    if not first:
         return f"{told}\nwhat was wanted is what the guard gives"
-    first, lasting = differ[0][0], sum(lasts for _, lasts in differ) / 1e9
     where = f" by {first.sensor}" if first.sensor else ""
-    return (f"{told}\ndiffers first at {(first.time - guarded.start) / 1e9:.3f} s: {_motion(first.wanted)} wanted, "
-            f"{_motion(first.given)} given, {first.cause}{where}; for {lasting:.1f} s in all")
-
-
-def _after_start(answers: Sequence[Answer]) -> List[Answer]:
-    """A guard that had run before the bag began would have seen by then; all, if nothing is ever seen."""
-    return list(dropwhile(lambda answer: answer.cause in NOT_YET, answers)) or list(answers)
+    return (f"{told}\ndiffers first at {(first.time - guarded.start) / 1e9:.3f} s: {motion_of(first.wanted)} wanted, "
+            f"{motion_of(first.given)} given, {first.cause}{where}; for {counts.differing / 1e9:.1f} s in all")
 
 
 def write_json(guarded: Guarded, path: Path) -> None:
@@ -127,12 +105,12 @@ def _cells(span: Span, start: int) -> Sequence[Text]:
     sensor = f", {first.sensor}" if first.sensor else ""
     driven = "-" if first.driven is None else _figures(first.driven[0], first.driven[2])
     return (
-        Text(f"{(first.time - start) / 1e9:.3f}"), Text(f"{(span.end - first.time) / 1e9:.3f}"), Text(_motion(first.wanted)),
-        Text(_motion(first.given), style=COLOURS[ZONES[span.does]]), Text(driven), Text(f"{span.least:.2f}"),
+        Text(f"{(first.time - start) / 1e9:.3f}"), Text(f"{(span.end - first.time) / 1e9:.3f}"), Text(motion_of(first.wanted)),
+        Text(motion_of(first.given), style=COLOURS[ZONES[span.does]]), Text(driven), Text(f"{span.least:.2f}"),
         Text(f"{first.cause}{sensor}{reason}"))
 
 
-def _motion(numbers: Numbers) -> str:
+def motion_of(numbers: Numbers) -> str:
     """Forward and turning; what a robot of two wheels drives."""
     sideward = f"{numbers[1]:+.2f}y " if numbers[1] else ""
     return f"{sideward}{_figures(numbers[0], numbers[5])}"

@@ -11,6 +11,7 @@ from safety_control_cloud.replay.places import Place
 from safety_control_cloud.replay.topics import Source
 
 JUMP = 1.0  # [s] by which a stamp may lag more or less than the one before
+TOLD = 20  # jumps at most
 
 
 class Seen:
@@ -23,7 +24,8 @@ class Seen:
         self._unplaced = ""
         self._lag: Optional[float] = None  # [s] of the latest stamp behind the bag's time
         self._least = math.inf  # [s] that a stamp was off
-        self.jumps: List[str] = []
+        self._jumps: List[str] = []
+        self._untold = 0
 
     def note(self, sighting: Sighting, place: Place, since_start: float) -> None:
         self._pictures += 1
@@ -33,9 +35,19 @@ class Seen:
             self._placed += 1
         lag = (sighting.time - sighting.header.stamp) / 1e9
         if self._lag is not None and abs(lag - self._lag) > JUMP:
-            self.jumps.append(f"the stamps of {self._topic} jump by {self._lag - lag:+.3f} s against the bag's time "
-                              f"at {since_start:.3f} s")
+            self._note_jump(self._lag - lag, since_start)
         self._lag, self._least = lag, min(self._least, abs(lag))
+
+    @property
+    def jumps(self) -> List[str]:
+        more = [f"the stamps of {self._topic} jump {self._untold} times more"] if self._untold else []
+        return [*self._jumps, *more]
+
+    def _note_jump(self, by: float, since_start: float) -> None:
+        if len(self._jumps) == TOLD:
+            self._untold += 1
+            return
+        self._jumps.append(f"the stamps of {self._topic} jump by {by:+.3f} s against the bag's time at {since_start:.3f} s")
 
     def problems(self) -> Iterator[str]:
         """Why nothing of it can be believed."""

@@ -11,9 +11,9 @@ from typing import Iterator, Optional
 import numpy as np
 
 from safety_control_cloud.replay.eyes import Sighting
+from safety_control_cloud.replay.guard.counts import zone_of
 from safety_control_cloud.replay.guard.drive import Answer, Numbers
 from safety_control_cloud.replay.guard.inputs import Inputs
-from safety_control_cloud.replay.guard.report import zone_of
 from safety_control_cloud.replay.guard.scans import Scan
 from safety_control_cloud.replay.places import Place
 from safety_control_cloud.replay.show import shown_of
