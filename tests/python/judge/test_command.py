@@ -13,14 +13,7 @@ from typing import Any, Dict, List
 import pyarrow.parquet as pq
 import pytest
 from drives import wall, write_drive, write_drive2
-
-COMMAND = [sys.executable, "-m", "safety_control_cloud.judge"]
-
-
-def judge(*arguments: Any, code: int = 0) -> subprocess.CompletedProcess:
-    result = subprocess.run([*COMMAND, *map(str, arguments)], capture_output=True, text=True, timeout=300)
-    assert result.returncode == code, result.stdout + result.stderr
-    return result
+from judge_rows import COMMAND, judge
 
 
 def bag_rows(out: Path) -> Dict[str, Dict[str, Any]]:

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -134,14 +132,6 @@ def test_a_truth_is_written_as_for_roscpp(given, taken):
         return
     with pytest.raises(BadSettings, match="inf_is_free cannot be"):
         settings_of({"inf_is_free": given})
-
-
-def test_the_judge_leaves_the_guard_to_replay(tmp_path):
-    command = [sys.executable, "-m", "safety_control_cloud.judge", tmp_path / "drive.bag", "--out", tmp_path / "judged", "--param", "mode=guard"]
-
-    result = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=60)
-
-    assert result.returncode == 2 and "a guard is asked about one bag, by scripts/replay --mode guard" in result.stderr
 
 
 def test_help_tells_of_the_guard():

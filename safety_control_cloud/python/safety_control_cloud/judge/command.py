@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import argparse
+from pathlib import Path
 from typing import Any, Dict, List, Optional, Sequence
 
-from safety_control_cloud.judge import say
-from safety_control_cloud.judge.compare import Difference, differences
+from safety_control_cloud.judge import compare, say
+from safety_control_cloud.judge.bag import mode_of
+from safety_control_cloud.judge.choice import Choice
 from safety_control_cloud.judge.find import bags_in
+from safety_control_cloud.judge.guard import compare as guard_compare, say as guard_say
+from safety_control_cloud.judge.guard.rows import GUARD
 from safety_control_cloud.judge.identity import hash_of_settings
-from safety_control_cloud.judge.rows import BagRow
 from safety_control_cloud.judge.run import Request, judge
 from safety_control_cloud.judge.store import Store
+from safety_control_cloud.judge.table import AnyBag
 from safety_control_cloud.processes import end_on_sigterm
+from safety_control_cloud.replay.guard.inputs import OF_TRANSPORT
 from safety_control_cloud.replay.parameters import BadSettings, parameters_in, settings_of
 
 SOME_UNREADABLE = 1  # exit code
@@ -32,49 +37,58 @@ def run(given: argparse.Namespace) -> int:
         bags = bags_in(given.bags)
     except (BadSettings, OSError) as error:
         raise Unusable(str(error)) from error
-    request = Request(bags, given.out, settings, given.topic, given.jobs, given.scheduler)
+    choice = Choice(tuple(given.topic), given.cmd_vel, given.odom)
+    request = Request(bags, given.out, settings, choice, given.jobs, given.scheduler)
     try:
-        with say.progress(len(bags)) as (done, line):
+        with say.progress(len(bags), mode_of(settings).rows) as (done, line):
             rows = judge(request, done, line)
     except (OSError, RuntimeError) as error:
         raise Unusable(str(error)) from error
-    _show(given, settings, rows)
+    _show(given, settings, choice, rows)
     return SOME_UNREADABLE if any(row.status == "error" for row in rows) else 0
 
 
 def _settings(given: argparse.Namespace) -> List[Dict[str, Any]]:
-    """What differs from the defaults, one or two. Raises BadSettings."""
-    files = given.compare or ([given.settings] if given.settings else [None])
-    settings = []
-    for file in files:
-        parameters = {**(parameters_in(file) if file else {}), **dict(given.param)}
-        try:
-            fit = settings_of(parameters).as_dict()
-        except BadSettings as error:
-            raise BadSettings(f"{file or '--param'}: {error}") from error
-        if fit["mode"] == "guard":
-            raise BadSettings(f"{file or '--param'}: a guard is asked about one bag, by scripts/replay --mode guard")
-        settings.append({name: fit[name] for name in parameters})
+    """What differs from the defaults, one or two of one mode. Raises BadSettings."""
+    settings = [_of(given, file) for file in given.compare or [given.settings]]
+    if len({mode_of([one]) for one in settings}) > 1:
+        raise BadSettings(f"{given.compare[0]} and {given.compare[1]} are of two modes: --mode says which")
+    if mode_of(settings) == GUARD:
+        if given.report:
+            raise BadSettings("--report is of mode drive")
+    elif given.cmd_vel or given.odom:
+        raise BadSettings("--cmd-vel and --odom are of --mode guard")
     return settings
 
 
-def _show(given: argparse.Namespace, settings: Sequence[Dict[str, Any]], rows: Sequence[BagRow]) -> None:
-    console = say.console()
-    whole = [settings_of(one) for one in settings]
-    hashes = [hash_of_settings(one, given.topic) for one in whole]
+def _of(given: argparse.Namespace, file: Optional[Path]) -> Dict[str, Any]:
+    parameters = {**(parameters_in(file) if file else {}), **dict(given.param), **({"mode": given.mode} if given.mode else {})}
+    parameters = {name: value for name, value in parameters.items() if name not in OF_TRANSPORT}
+    try:
+        fit = settings_of(parameters).as_dict()
+    except BadSettings as error:
+        raise BadSettings(f"{file or '--param'}: {error}") from error
+    return {name: fit[name] for name in parameters}
+
+
+def _show(given: argparse.Namespace, settings: Sequence[Dict[str, Any]], choice: Choice, rows: Sequence[AnyBag]) -> None:
+    console, mode = say.console(), mode_of(settings)
+    shown, compared = (guard_say, guard_compare) if mode == GUARD else (say, compare)
+    hashes = [hash_of_settings(one, choice) for one in settings]
     for number, name in enumerate(dict.fromkeys(hashes)):
         its = [row for row in rows if row.settings == name]
         if given.compare:
             console.print(str(given.compare[number]), style="bold")
-        console.print(say.table_of(its))
-        console.print(say.summary_of(its))
-    store = Store(given.out, {})
-    changed: Optional[List[Difference]] = None
+        console.print(shown.table_of(its))
+        console.print(shown.summary_of(its))
+    store = Store(given.out, {}, mode)
+    changed: Optional[list] = None
     if given.compare:
-        changed = differences(store, rows, *hashes)
-        for text in say.told(changed, tuple(map(str, given.compare))):
+        changed = compared.differences(store, rows, *hashes)
+        for text in shown.told(changed, given):
             console.print(text, markup=False, soft_wrap=True)
     if given.report:
         from safety_control_cloud.judge.report import write_report
 
-        console.print(f"report: {write_report(given, store, rows, list(zip(hashes, whole)), changed)}")
+        judged_by = [(name, settings_of(one)) for name, one in zip(hashes, settings)]
+        console.print(f"report: {write_report(given, store, rows, judged_by, changed)}")

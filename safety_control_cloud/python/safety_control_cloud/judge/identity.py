@@ -6,18 +6,23 @@ import hashlib
 import json
 from functools import lru_cache
 from pathlib import Path
-from typing import Iterator, Sequence, Tuple
+from typing import Any, Iterator, List, Mapping, Tuple
 
 import xxhash
 
 import safety_control_cloud
 from safety_control_cloud import core
+from safety_control_cloud.judge.choice import Choice
+from safety_control_cloud.replay.guard.inputs import WANTED_IF_GIVEN
 
 BLOCK = 1 << 18  # [byte] of a file at once: they are hashed while they lie in the cache
 LENGTH = 16  # hexadecimal digits that are shown of a hash
-JUDGES = (  # the modules that a verdict depends on, besides the core
-    "judge/bag.py", "judge/drive.py", "judge/rows.py", "replay/bags.py", "replay/compressed.py", "replay/eyes.py",
-    "replay/places.py", "replay/topics.py", "replay/wire.py")
+JUDGES = (  # the modules that a verdict or an answer depends on, besides the core
+    "headings.py", "judge/bag.py", "judge/drive.py", "judge/guard/reading.py", "judge/guard/rows.py", "judge/reading.py",
+    "judge/rows.py", "judge/table.py", "replay/bags.py", "replay/compressed.py", "replay/eyes.py", "replay/guard/counts.py",
+    "replay/guard/drive.py", "replay/guard/inputs.py", "replay/guard/poses.py", "replay/guard/reading.py",
+    "replay/guard/scans.py", "replay/guard/seen.py", "replay/guard/switches.py", "replay/parameters.py", "replay/places.py",
+    "replay/topics.py", "replay/wire.py")
 
 Stat = Tuple[Tuple[str, int, str], ...]  # of each file: name, size, and the time of its last change or its ETag
 
@@ -42,9 +47,12 @@ def hash_of_bag(bag: Path) -> str:
     return whole.hexdigest()[:LENGTH]
 
 
-def hash_of_settings(settings: core.Settings, topics: Sequence[str] = ()) -> str:
-    """And of the topics, where they were chosen."""
-    content = [settings.as_dict(), sorted(topics)]
+def hash_of_settings(given: Mapping[str, Any], choice: Choice = Choice()) -> str:
+    """By what differs from the defaults; and of the topics, where they were chosen."""
+    settings = core.Settings(**given).as_dict()
+    content: List[Any] = [settings, sorted(choice.topics)]
+    if settings["mode"] == "guard":
+        content = [settings, choice.topics, choice.cmd_vel, choice.odom, sorted({*WANTED_IF_GIVEN} & {*given})]
     return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()[:LENGTH]
 
 

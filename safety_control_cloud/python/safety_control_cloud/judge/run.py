@@ -8,13 +8,14 @@ from pathlib import Path
 from typing import Any, Callable, Iterator, List, Mapping, Optional, Sequence
 
 from safety_control_cloud.dispatch import Fatal, shared_out
-from safety_control_cloud.judge.bag import Job, Judged, judge_bag
+from safety_control_cloud.judge.bag import Job, Judged, judge_bag, mode_of
+from safety_control_cloud.judge.choice import Choice
 from safety_control_cloud.judge.identity import hash_of_settings, version
-from safety_control_cloud.judge.rows import BagRow
 from safety_control_cloud.judge.store import Store
+from safety_control_cloud.judge.table import AnyBag
 from safety_control_cloud.replay.parameters import settings_of
 
-OnDone = Callable[[Sequence[BagRow]], None]
+OnDone = Callable[[Sequence[AnyBag]], None]
 
 
 @dataclass(frozen=True)
@@ -22,20 +23,19 @@ class Request:
     bags: Sequence[str]
     out: Path
     settings: Sequence[Mapping[str, Any]] = field(default_factory=lambda: ({},))  # what differs from the defaults
-    topics: Sequence[str] = ()
+    choice: Choice = Choice()
     jobs: int = 1
     scheduler: Optional[str] = None
 
 
-def judge(request: Request, on_done: OnDone, say: Callable[[str], None]) -> List[BagRow]:
+def judge(request: Request, on_done: OnDone, say: Callable[[str], None]) -> List[AnyBag]:
     """A row for each bag and setting; `on_done` hears of each bag's. What has been judged is in the store, however this ends.
 
     Raises OSError if the store cannot be written, dask_crew.ClusterError.
     """
-    settings = [settings_of(given) for given in request.settings]
-    whole = {hash_of_settings(one, request.topics): one.as_dict() for one in settings}
-    store = Store(request.out, whole)
-    rows: List[BagRow] = []
+    whole = {hash_of_settings(given, request.choice): settings_of(given).as_dict() for given in request.settings}
+    store = Store(request.out, whole, mode_of(request.settings))
+    rows: List[AnyBag] = []
     try:
         with _crew(request, say) as crew:
             for job, judged in shared_out(_jobs(request, store), judge_bag, crew):
@@ -48,13 +48,13 @@ def judge(request: Request, on_done: OnDone, say: Callable[[str], None]) -> List
 
 
 def _jobs(request: Request, store: Store) -> Iterator[Job]:
-    folder = "" if request.scheduler else str(store.clouds.absolute())
+    folder = "" if request.scheduler else str(store.rows.absolute())
     for path in request.bags:
         known = store.known(path)
-        yield Job(path, tuple(request.settings), tuple(request.topics), known, store.have(known[1]) if known else (), folder)
+        yield Job(path, tuple(request.settings), request.choice, known, store.have(known[1]) if known else (), folder)
 
 
-def _kept(store: Store, job: Job, judged: Any) -> List[BagRow]:
+def _kept(store: Store, job: Job, judged: Any) -> List[AnyBag]:
     if isinstance(judged, Fatal):
         judged = Judged(job.path, error=f"{judged.deaths} workers died over {job.path}")
     store.keep(judged)

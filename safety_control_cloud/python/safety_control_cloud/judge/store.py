@@ -10,19 +10,21 @@ from typing import Dict, Iterator, List, Sequence, Tuple
 
 from safety_control_cloud.judge.bag import Judged
 from safety_control_cloud.judge.identity import Stat, version
-from safety_control_cloud.judge.rows import BagRow, Key, bag_row_in, write_bags
+from safety_control_cloud.judge.rows import DRIVE
+from safety_control_cloud.judge.table import AnyBag, Key, Mode, bag_row_in, write_bags
 
-CLOUDS, BAGS, HASHES, SETTINGS = "clouds", "bags.parquet", "hashes.jsonl", "settings"
+BAGS, HASHES, SETTINGS = "bags.parquet", "hashes.jsonl", "settings"
 
 
 class Store:
-    def __init__(self, folder: Path, settings: Dict[str, dict]) -> None:
+    def __init__(self, folder: Path, settings: Dict[str, dict], mode: Mode = DRIVE) -> None:
         """`settings` by their hashes. Raises OSError if the folder cannot be written."""
-        self.clouds = folder / CLOUDS
-        self.bags = folder / BAGS
+        self.rows = folder / mode.place / mode.folder
+        self.bags = folder / mode.place / BAGS
+        self._mode = mode
         self._hashes = folder / HASHES
         self._settings = tuple(settings)
-        self.clouds.mkdir(parents=True, exist_ok=True)
+        self.rows.mkdir(parents=True, exist_ok=True)
         for name, content in settings.items():
             (folder / SETTINGS).mkdir(exist_ok=True)
             (folder / SETTINGS / f"{name}.json").write_text(json.dumps(content, indent=1, sort_keys=True) + "\n")
@@ -37,7 +39,7 @@ class Store:
         return tuple(name for name in self._settings if self.file_of(bag, name).exists())
 
     def file_of(self, bag: str, settings: str) -> Path:
-        return self.clouds / f"{Key(bag, settings, version())}.parquet"
+        return self.rows / f"{Key(bag, settings, version())}.parquet"
 
     def keep(self, judged: Judged) -> None:
         for row, content in zip(judged.rows, judged.files):
@@ -50,15 +52,15 @@ class Store:
             with self._hashes.open("a") as stream:
                 stream.write(json.dumps([judged.path, judged.stat, judged.bag]) + "\n")
 
-    def rows_of(self, judged: Judged) -> List[BagRow]:
+    def rows_of(self, judged: Judged) -> List[AnyBag]:
         """One for each setting, judged now or before."""
         if not judged.bag:
-            return [BagRow(judged.path, None, name, version(), "error", judged.error) for name in self._settings]
-        return [replace(bag_row_in(self.file_of(judged.bag, name)), path=judged.path) for name in self._settings]
+            return [self._mode.bag(judged.path, None, name, version(), "error", judged.error) for name in self._settings]
+        return [replace(bag_row_in(self.file_of(judged.bag, name), self._mode.bag), path=judged.path) for name in self._settings]
 
-    def write_bags(self, rows: Sequence[BagRow]) -> None:
+    def write_bags(self, rows: Sequence[AnyBag]) -> None:
         with _whole_or_not_at_all(self.bags, self.bags.parent) as part:
-            write_bags(sorted(rows, key=lambda row: (row.path, row.settings)), part)
+            write_bags(sorted(rows, key=lambda row: (row.path, row.settings)), part, self._mode.bags)
 
     def _read_hashes(self) -> Dict[str, Tuple[Stat, str]]:
         known: Dict[str, Tuple[Stat, str]] = {}
@@ -75,7 +77,7 @@ class Store:
 
 @contextmanager
 def _whole_or_not_at_all(file: Path, folder: Path) -> Iterator[Path]:
-    """What to write in its place. It lies in `folder`: whoever reads all of clouds/ never meets a part, even of a killed run."""
+    """What to write in its place. It lies in `folder`: whoever reads all rows never meets a part, even of a killed run."""
     part = folder / f"{file.stem}.part"
     try:
         yield part

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from heapq import nsmallest
-from typing import Any, Dict, Iterator, List, Sequence, Tuple
-
-import pyarrow.parquet as pq
+from typing import Any, Dict, List, Sequence, Tuple
 
 from safety_control_cloud.judge.rows import BagRow
 from safety_control_cloud.judge.store import Store
+from safety_control_cloud.judge.table import rows_in
 
 BIN = 0.1  # [m] of the histogram
 FARTHEST = 5.0  # [m] what is farther is in the last bin
@@ -41,7 +40,7 @@ def facts_of(store: Store, rows: Sequence[BagRow], settings: str) -> Facts:
             continue
         stretches: List[Tuple[int, str]] = []
         of_bag: List[Call] = []
-        for verdict in verdicts_in(store, row.bag, settings):
+        for verdict in rows_in(store.file_of(row.bag, settings), COLUMNS):
             _add(facts.histogram, verdict)
             if not stretches or stretches[-1][1] != verdict["zone"]:
                 stretches.append((verdict["time"], verdict["zone"]))
@@ -50,16 +49,6 @@ def facts_of(store: Store, rows: Sequence[BagRow], settings: str) -> Facts:
         calls = nsmallest(NEAREST_CALLS, [*calls, *of_bag], key=lambda call: (call.row["nearest"], call.path))
     facts.calls = calls
     return facts
-
-
-def verdicts_in(store: Store, bag: str, settings: str) -> Iterator[Dict[str, Any]]:
-    with pq.ParquetFile(store.file_of(bag, settings), pre_buffer=False) as file:
-        for batch in file.iter_batches(columns=list(COLUMNS), use_threads=False):
-            columns = {name: batch.column(name) for name in COLUMNS}
-            for name in ("time", "stamp"):
-                columns[name] = columns[name].cast("int64")
-            for values in zip(*(columns[name].to_pylist() for name in COLUMNS)):
-                yield dict(zip(COLUMNS, values))
 
 
 def _add(histogram: Dict[str, List[int]], verdict: Dict[str, Any]) -> None:

@@ -15,6 +15,7 @@ from safety_control_cloud.replay.topics import COMPRESSED, OWN, Source, lasers_i
 COMMANDS = {"twist": "geometry_msgs/msg/Twist", "twist_stamped": "geometry_msgs/msg/TwistStamped"}  # by command_type
 COMMAND_NAME = "cmd_vel"  # how the last part of its topic begins
 ODOMETRY = "nav_msgs/msg/Odometry"
+WANTED_IF_GIVEN = ("command_type", "input")  # else what there is, also where the default is the same
 OF_TRANSPORT = ("image_transport",)  # parameters of the node that are no settings
 
 

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the judge's mode guard shows: the table, the differences."""
+from __future__ import annotations
+
+import argparse
+import shlex
+from typing import Any, Dict, List, Sequence
+
+from rich.table import Table
+from rich.text import Text
+
+from safety_control_cloud.judge.guard.compare import GIVEN, Difference
+from safety_control_cloud.judge.guard.rows import GuardedBag
+from safety_control_cloud.judge.say import SHOWN, bags_of, empty_table, errors_of, why
+from safety_control_cloud.zone_colours import PRINTED as COLOURS
+
+FIGURES = ("commands", "passed", "scaled", "stopped", "first [s]", "differs [s]", "stopped [s]")
+
+
+def table_of(rows: Sequence[GuardedBag]) -> Table:
+    """The bags in which it stopped longest first."""
+    table = empty_table(FIGURES)
+    by_time = sorted(rows, key=lambda row: (row.status != "error", -row.stopped_for, -row.differs_for, row.path))
+    for row in by_time[:SHOWN]:
+        table.add_row(*_cells(row))
+    if len(rows) > SHOWN:
+        table.add_row(f"... and {len(rows) - SHOWN} more")
+    return table
+
+
+def summary_of(rows: Sequence[GuardedBag]) -> str:
+    commands, passed, scaled, stopped = (sum(getattr(row, name) for row in rows) for name in FIGURES[:4])
+    differs, stands = (sum(getattr(row, name) for row in rows) for name in ("differs_for", "stopped_for"))
+    return (f"{bags_of(rows)}, {commands:,} commands: {passed:,} pass, {scaled:,} scaled, {stopped:,} stopped; less than wanted "
+            f"for {differs:.1f} s, nothing of it for {stands:.1f} s{errors_of(rows)}")
+
+
+def told(differences: Sequence[Difference], given: argparse.Namespace) -> List[str]:
+    """The longest differences, each with the command that shows it."""
+    lines = [f"{len(differences):,} bag{' is' if len(differences) == 1 else 's are'} guarded differently"]
+    for one in differences[:SHOWN]:
+        often = "" if one.stretches == 1 else f" in {one.stretches} stretches"
+        lines += [f"{one.path} first at {(one.time - one.start) / 1e9:.3f} s: {_short(one.before)} -> {_short(one.after)}; "
+                  f"for {one.lasting / 1e9:.1f} s{often}", f"    {command(one.path, given)}"]
+    return lines
+
+
+def command(path: str, given: argparse.Namespace) -> str:
+    """What shows a bag by the settings, of two by the second."""
+    settings = given.compare[1] if given.compare else given.settings
+    words = ["scripts/replay", path, "--mode", "guard", *(["--settings", str(settings)] if settings else [])]
+    for name, value in given.param:
+        words += ["--param", f"{name}={value}"]
+    for topic in given.topic:
+        words += ["--topic", topic]
+    for option, topic in (("--cmd-vel", given.cmd_vel), ("--odom", given.odom)):
+        words += [option, topic] if topic else []
+    return " ".join(map(shlex.quote, words))
+
+
+def _short(said: Dict[str, Any]) -> str:
+    forward, left, turn = (said[name] for name in GIVEN)
+    return f"{said['zone']}, {said['cause']}, {f'{left:+.2f}y ' if left else ''}{forward:.3f} {turn:+.3f}"
+
+
+def _cells(row: GuardedBag) -> Sequence[Text]:
+    first = "-" if row.differs_at is None or row.start is None else f"{(row.differs_at - row.start) / 1e9:.3f}"
+    figures = [Text(str(getattr(row, name))) for name in FIGURES[:3]]
+    return (Text(row.path), *figures, Text(str(row.stopped), style=COLOURS["Danger"] if row.stopped else ""), Text(first),
+            Text(f"{row.differs_for:.1f}"), Text(f"{row.stopped_for:.1f}"), why(row, row.causes))
