@@ -79,8 +79,10 @@ def _see_all(bags: Bags, sources: Sequence[Source], sheets: Sequence[Sheet]) -> 
     names = {topic.name: its for topic, its in by_topic.items()}
     for message in bags.messages([*by_topic, *moving]):
         for source in names.get(message.topic, ()):
-            sighting = eyes[source.name].sighting_of(message)
+            with bags.understanding(message):
+                sighting = eyes[source.name].sighting_of(message)
             for sheet in sheets if sighting else ():
                 sheet.see(source.name, sighting, places)
         if places and message.topic not in names:
-            places.add(message)
+            with bags.understanding(message):
+                places.add(message)

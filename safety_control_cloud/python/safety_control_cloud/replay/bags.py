@@ -91,9 +91,17 @@ class Bags:
             return message.raw
 
     @contextmanager
+    def understanding(self, message: Recorded) -> Iterator[None]:
+        """Raises BagError for whatever a message lacks whose very definition is damaged."""
+        with self._reading(f"a message of {message.topic}"):
+            yield
+
+    @contextmanager
     def _reading(self, what: str) -> Iterator[None]:
         try:
             yield
+        except BagError:
+            raise
         except Exception as error:  # whatever the reader stumbles over in a damaged file
             raise BagError(f"cannot read {what} of {self.names}: {_line(error)}") from error
 

@@ -9,10 +9,12 @@ import numpy as np
 
 from safety_control_cloud.replay.bags import Bags, Recorded
 from safety_control_cloud.replay.topics import TRANSFORMS, rooted
-from safety_control_cloud.replay.wire import Header
+from safety_control_cloud.replay.wire import Header, header_in
 
 CACHE = 10  # [s] as tf2_ros keeps
 TOLERANCE = 0.1  # [s] by which the newest transform may be older than a cloud; as in ros/input/camera_place.cpp
+
+ENDS = (2**31 - 1) * 10**9  # [ns] tf2_py takes later stamps for negative ones, and ends the process
 
 Place = Union[np.ndarray, str]  # as core.SafetyControl.decide() takes it
 
@@ -27,13 +29,17 @@ class Places:
 
     def add(self, message: Recorded) -> None:
         """Raises bags.BagError."""
-        add = self._buffer.set_transform_static if TRANSFORMS[rooted(message.topic)] else self._buffer.set_transform
+        is_static = TRANSFORMS[rooted(message.topic)]
+        add = self._buffer.set_transform_static if is_static else self._buffer.set_transform
         for transform in self._bags.content_of(message).transforms:
-            add(_ros(transform), "bag")
+            if is_static or has_time(header_in(transform).stamp):
+                add(_ros(transform), "bag")
 
     def at(self, target_frame: str, cloud: Header) -> Place:
         from genpy import Time
 
+        if not has_time(cloud.stamp):
+            return self._at_any_time(target_frame, cloud)
         stamp = Time(*divmod(cloud.stamp, 10**9))
         try:
             try:
@@ -47,6 +53,13 @@ class Places:
             return str(problem)
         return matrix_of(found.transform)
 
+    def _at_any_time(self, target_frame: str, cloud: Header) -> Place:
+        """Where nothing moves, any stamp will do."""
+        found = self.latest(target_frame, cloud.frame)
+        if found is None or not found.header.stamp.is_zero():
+            return f"no transform from {cloud.frame} to {target_frame} at {cloud.seconds:.0f} s"
+        return matrix_of(found.transform)
+
     def latest(self, target_frame: str, frame: str) -> Any:
         """The newest TransformStamped between them; None if there is none."""
         from genpy import Time
@@ -55,6 +68,11 @@ class Places:
             return self._buffer.lookup_transform_core(target_frame, frame, Time())
         except self._tf2.TransformException:
             return None
+
+
+def has_time(stamp: int) -> bool:
+    """[ns] a stamp that tf2_py takes."""
+    return 0 <= stamp < ENDS
 
 
 def matrix_of(transform) -> Place:
@@ -76,7 +94,8 @@ def _ros(recorded):
     from geometry_msgs.msg import TransformStamped
 
     transform = TransformStamped()
-    transform.header.stamp = Time(recorded.header.stamp.sec, recorded.header.stamp.nanosec)
+    stamp = header_in(recorded).stamp
+    transform.header.stamp = Time(*divmod(stamp if has_time(stamp) else 0, 10**9))
     transform.header.frame_id, transform.child_frame_id = recorded.header.frame_id, recorded.child_frame_id
     for part, names in (("translation", "xyz"), ("rotation", "xyzw")):
         for name in names:

@@ -73,7 +73,8 @@ def _clouds(bags: Bags, sources: Sequence[Source], with_transforms: bool) -> Ite
         if message.topic not in looking:
             since.append((message.topic, bags.as_ros1(message)))
         for source in looking.get(message.topic, ()):
-            sighting = eyes[source.name].sighting_of(message)
+            with bags.understanding(message):
+                sighting = eyes[source.name].sighting_of(message)
             if sighting:
                 yield RecordedCloud(message.time, sighting.header.stamp, _parts(bags, sighting), tuple(since), sighting,
                                     source.topic.name)

@@ -54,19 +54,25 @@ class Reading:
             self._drive = GuardDrive(self._inputs.settings, list(self._inputs.names), message.time, self._told, self._poses)
         self._note_pause(message.time)
         if message.topic in self._moving:
-            self._places.add(message)
+            with self._bags.understanding(message):
+                self._places.add(message)
         elif message.topic in self._looking:
             for number in self._looking[message.topic]:
-                sighting = self._eyes[number].sighting_of(message)
+                with self._bags.understanding(message):
+                    sighting = self._eyes[number].sighting_of(message)
                 if sighting:
                     self._see(number, sighting)
         elif message.topic == self._inputs.commands.name:
-            self._drive.want(*command_in(self._bags.content_of(message)), message.time)
+            with self._bags.understanding(message):
+                wanted, stamp = command_in(self._bags.content_of(message))
+            self._drive.want(wanted, stamp, message.time)
         elif message.topic in self._switches:
             for switch in self._switches[message.topic]:
                 self._drive.touch(switch.name, *switch.word_in(message), message.time)
         else:
-            self._drive.note_odometry(*odometry_in(self._bags.content_of(message)), message.time)
+            with self._bags.understanding(message):
+                odometry = odometry_in(self._bags.content_of(message))
+            self._drive.note_odometry(*odometry, message.time)
 
     def end(self) -> List[str]:
         """What is to be told of the bag. Raises BagError also where nothing of a required sensor can be believed."""
