@@ -2,7 +2,9 @@
 """scripts/judge --mode guard as a user runs it."""
 from __future__ import annotations
 
+import html
 import json
+import re
 import shlex
 from pathlib import Path
 from typing import Any, Dict
@@ -82,6 +84,23 @@ def test_comparing_two_guards_shows_what_each_gives_first_and_how_to_look(tmp_pa
     shown = [one for one in replayed if abs(one["time"] - replayed[0]["time"] - at) < 1e-3]
     assert shown and shown[-1]["given"] != shown[-1]["wanted"]
     assert "wide margin.yaml" in line and "sensor_period=0.2" in line and words.count("--topic") == 2
+
+
+def test_the_page_has_bags_stops_and_changes_and_needs_nothing_but_itself(tmp_path, drives):
+    for name, margin in (("now", 0.05), ("wide", 0.1)):
+        (tmp_path / f"{name}.yaml").write_text(f"margin: {margin}\n")
+    (tmp_path / "none & nothing.bag").write_text("no bag")
+
+    judge(drives, tmp_path / "none & nothing.bag", "--mode", "guard", "--out", tmp_path / "out", "--report", tmp_path / "page",
+          "--compare", tmp_path / "now.yaml", tmp_path / "wide.yaml", code=1)
+
+    text = (tmp_path / "page" / "index.html").read_text()
+    assert "none &amp; nothing.bag" in text and text.count('class="error"') == 2
+    assert text.count('class="timelines"') == 2 and "What changes" in text and "Danger from" in text and "0 é.bag" in text
+    shown = [shlex.split(html.unescape(found)) for found in re.findall(r"<code>(scripts/replay .*?)</code>", text)]
+    assert shown and all("--mode" in words and str(tmp_path) in words[words.index("--settings") + 1] for words in shown)
+    assert {Path(words[words.index("--settings") + 1]).name for words in shown} == {"now.yaml", "wide.yaml"}
+    assert "<script" not in text and "http" not in text
 
 
 def test_bags_that_differ_in_nothing_are_not_told(tmp_path, drives):

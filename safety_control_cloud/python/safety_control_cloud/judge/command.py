@@ -53,10 +53,7 @@ def _settings(given: argparse.Namespace) -> List[Dict[str, Any]]:
     settings = [_of(given, file) for file in given.compare or [given.settings]]
     if len({mode_of([one]) for one in settings}) > 1:
         raise BadSettings(f"{given.compare[0]} and {given.compare[1]} are of two modes: --mode says which")
-    if mode_of(settings) == GUARD:
-        if given.report:
-            raise BadSettings("--report is of mode drive")
-    elif given.cmd_vel or given.odom:
+    if mode_of(settings) != GUARD and (given.cmd_vel or given.odom):
         raise BadSettings("--cmd-vel and --odom are of --mode guard")
     return settings
 
@@ -88,7 +85,12 @@ def _show(given: argparse.Namespace, settings: Sequence[Dict[str, Any]], choice:
         for text in shown.told(changed, given):
             console.print(text, markup=False, soft_wrap=True)
     if given.report:
-        from safety_control_cloud.judge.report import write_report
+        console.print(f"report: {_report(given, store, rows, settings, hashes, changed)}")
 
-        judged_by = [(name, settings_of(one)) for name, one in zip(hashes, settings)]
-        console.print(f"report: {write_report(given, store, rows, judged_by, changed)}")
+
+def _report(given: argparse.Namespace, store: Store, rows: Any, settings: Sequence[Dict[str, Any]], hashes: List[str], changed: Any) -> Path:
+    from safety_control_cloud.judge.report import write_guarded, write_report  # Pillow takes its time to load
+
+    if mode_of(settings) == GUARD:
+        return write_guarded(given, store, rows, hashes, changed)
+    return write_report(given, store, rows, list(zip(hashes, map(settings_of, settings))), changed)

@@ -12,17 +12,20 @@ from rich.text import Text
 from safety_control_cloud.judge.guard.compare import GIVEN, Difference
 from safety_control_cloud.judge.guard.rows import GuardedBag
 from safety_control_cloud.judge.say import SHOWN, bags_of, empty_table, errors_of, why
-from safety_control_cloud.zone_colours import PRINTED as COLOURS
 
 FIGURES = ("commands", "passed", "scaled", "stopped", "first [s]", "differs [s]", "stopped [s]")
 
 
+def by_time(rows: Sequence[GuardedBag]) -> List[GuardedBag]:
+    """Those that could not be read first, and then those in which it stopped longest."""
+    return sorted(rows, key=lambda row: (row.status != "error", -row.stopped_for, -row.differs_for, row.path))
+
+
 def table_of(rows: Sequence[GuardedBag]) -> Table:
-    """The bags in which it stopped longest first."""
     table = empty_table(FIGURES)
-    by_time = sorted(rows, key=lambda row: (row.status != "error", -row.stopped_for, -row.differs_for, row.path))
-    for row in by_time[:SHOWN]:
-        table.add_row(*_cells(row))
+    for row in by_time(rows)[:SHOWN]:
+        path, *figures, _ = cells_of(row)
+        table.add_row(Text(path), *map(Text, figures), why(row, row.causes))
     if len(rows) > SHOWN:
         table.add_row(f"... and {len(rows) - SHOWN} more")
     return table
@@ -40,14 +43,14 @@ def told(differences: Sequence[Difference], given: argparse.Namespace) -> List[s
     lines = [f"{len(differences):,} bag{' is' if len(differences) == 1 else 's are'} guarded differently"]
     for one in differences[:SHOWN]:
         often = "" if one.stretches == 1 else f" in {one.stretches} stretches"
-        lines += [f"{one.path} first at {(one.time - one.start) / 1e9:.3f} s: {_short(one.before)} -> {_short(one.after)}; "
+        lines += [f"{one.path} first at {(one.time - one.start) / 1e9:.3f} s: {short(one.before)} -> {short(one.after)}; "
                   f"for {one.lasting / 1e9:.1f} s{often}", f"    {command(one.path, given)}"]
     return lines
 
 
-def command(path: str, given: argparse.Namespace) -> str:
-    """What shows a bag by the settings, of two by the second."""
-    settings = given.compare[1] if given.compare else given.settings
+def command(path: str, given: argparse.Namespace, place: int = 1) -> str:
+    """What shows a bag by the settings, of two by the one at that place."""
+    settings = given.compare[place] if given.compare else given.settings
     words = ["scripts/replay", path, "--mode", "guard", *(["--settings", str(settings)] if settings else [])]
     for name, value in given.param:
         words += ["--param", f"{name}={value}"]
@@ -58,13 +61,17 @@ def command(path: str, given: argparse.Namespace) -> str:
     return " ".join(map(shlex.quote, words))
 
 
-def _short(said: Dict[str, Any]) -> str:
+def short(said: Dict[str, Any]) -> str:
     forward, left, turn = (said[name] for name in GIVEN)
     return f"{said['zone']}, {said['cause']}, {f'{left:+.2f}y ' if left else ''}{forward:.3f} {turn:+.3f}"
 
 
-def _cells(row: GuardedBag) -> Sequence[Text]:
-    first = "-" if row.differs_at is None or row.start is None else f"{(row.differs_at - row.start) / 1e9:.3f}"
-    figures = [Text(str(getattr(row, name))) for name in FIGURES[:3]]
-    return (Text(row.path), *figures, Text(str(row.stopped), style=COLOURS["Danger"] if row.stopped else ""), Text(first),
-            Text(f"{row.differs_for:.1f}"), Text(f"{row.stopped_for:.1f}"), why(row, row.causes))
+def moment_of(row: GuardedBag) -> str:
+    """[s] of its first difference."""
+    return "-" if row.differs_at is None or row.start is None else f"{(row.differs_at - row.start) / 1e9:.3f}"
+
+
+def cells_of(row: GuardedBag) -> Sequence[str]:
+    """Path, FIGURES, causes."""
+    figures = [str(getattr(row, name)) for name in FIGURES[:4]]
+    return (row.path, *figures, moment_of(row), f"{row.differs_for:.1f}", f"{row.stopped_for:.1f}", why(row, row.causes).plain)
