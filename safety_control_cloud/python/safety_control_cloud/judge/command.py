@@ -17,7 +17,7 @@ from safety_control_cloud.judge.run import Request, judge
 from safety_control_cloud.judge.store import Store
 from safety_control_cloud.judge.table import AnyBag
 from safety_control_cloud.processes import end_on_sigterm
-from safety_control_cloud.replay.guard.inputs import OF_TRANSPORT
+from safety_control_cloud.replay.guard.inputs import OF_TRANSPORT, refuse_both
 from safety_control_cloud.replay.parameters import BadSettings, parameters_in, settings_of
 
 SOME_UNREADABLE = 1  # exit code
@@ -53,7 +53,10 @@ def _settings(given: argparse.Namespace) -> List[Dict[str, Any]]:
     settings = [_of(given, file) for file in given.compare or [given.settings]]
     if len({mode_of([one]) for one in settings}) > 1:
         raise BadSettings(f"{given.compare[0]} and {given.compare[1]} are of two modes: --mode says which")
-    if mode_of(settings) != GUARD and (given.cmd_vel or given.odom):
+    if mode_of(settings) == GUARD:
+        for one in settings:
+            refuse_both(one, given.topic, given.odom)
+    elif given.cmd_vel or given.odom:
         raise BadSettings("--cmd-vel and --odom are of --mode guard")
     return settings
 

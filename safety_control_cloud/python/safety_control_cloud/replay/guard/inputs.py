@@ -35,8 +35,17 @@ def inputs_in(bags: Bags, parameters: Mapping[str, Any], topics: Sequence[str] =
 
     Raises BagError, BadSettings.
     """
+    refuse_both(parameters, topics, odom)
     found = _without_switches(bags, parameters, topics, cmd_vel, odom)
     return replace(found, switches=switches_in(bags, found.settings))
+
+
+def refuse_both(parameters: Mapping[str, Any], topics: Sequence[str], odom: Optional[str]) -> None:
+    """What the settings and an option would both say. Raises BadSettings."""
+    if parameters.get("sensors") and topics:
+        raise BadSettings("either `sensors` of the settings or --topic says which sensors there are")
+    if parameters.get("odom_frame") and odom is not None:
+        raise BadSettings("either odom_frame or --odom says where the robot went")
 
 
 def _without_switches(bags: Bags, parameters: Mapping[str, Any], topics: Sequence[str], cmd_vel: Optional[str],
@@ -47,10 +56,8 @@ def _without_switches(bags: Bags, parameters: Mapping[str, Any], topics: Sequenc
     given["mode"] = "guard"
     given["command_type"] = next(name for name, kind in COMMANDS.items() if kind == commands.kind)
     if given.get("sensors"):
-        if topics:
-            raise BadSettings("either `sensors` of the settings or --topic says which sensors there are")
         settings = settings_of(given)
-        sensors = [_source_of(sensor, bags) for sensor in settings.sensors]
+        sensors = [_named(sensor["topic"], bags, sensor["type"]) for sensor in settings.sensors]
         return Inputs(settings, sensors, [sensor["name"] for sensor in settings.sensors], commands, odometry)
     sensors = [_named(name, bags) for name in topics] or _all(bags, given.get("input"))
     sensors = list({source.name: source for source in sensors}.values())
@@ -99,10 +106,6 @@ def _named(name: str, bags: Bags, kind: Optional[str] = None) -> Source:
                    f"there is: {listed(there) or bags.contents()}")
 
 
-def _source_of(sensor: Mapping[str, Any], bags: Bags) -> Source:
-    return _named(sensor["topic"], bags, sensor["type"])
-
-
 def _commands(bags: Bags, name: Optional[str], kind: Optional[str]) -> Topic:
     kinds = [COMMANDS[kind]] if kind in COMMANDS else list(COMMANDS.values())
     there = [topic for topic in bags.topics() if topic.kind in kinds]
@@ -120,8 +123,6 @@ def _commands(bags: Bags, name: Optional[str], kind: Optional[str]) -> Topic:
 def _odometry(bags: Bags, name: Optional[str], frame: Optional[str]) -> Optional[Topic]:
     """With a frame, TF tells it."""
     if frame:
-        if name is not None:
-            raise BadSettings("either odom_frame or --odom says where the robot went")
         return None
     there = [topic for topic in bags.topics() if topic.kind == ODOMETRY]
     if name is not None:
