@@ -15,8 +15,9 @@ constexpr double cell = 0.015, layer = 0.1;      ///< [m] across and up
 constexpr std::size_t columns = 107, rows = 80;  ///< of a picture that are looked at, at most
 constexpr std::size_t most = 30000;              ///< places
 constexpr std::uint8_t believed = 2;             ///< looks that show a place, or what is behind it
-/// [m] Places are told apart by these, and lost beyond.
-constexpr std::array<double, 7> displaced = {0.015, 0.02, 0.03, 0.045, 0.07, 0.12, 0.2};
+/// [m] Places are told apart by these; what may be off by more than the last is as the one that is off the most.
+constexpr std::array<double, 8> displaced = {0.015, 0.02, 0.03, 0.045, 0.07, 0.12, 0.2, 0.4};
+constexpr double well_known = 0.2;   ///< [m] what may be off by more explains nothing that is lost
 constexpr double absent_for = 1.25;  ///< [s] without a return where there would be one
 constexpr double rests_for = 0.3;    ///< [s] between two looks that show the same place
 constexpr double own_size = 0.01;    ///< [m] by which a return may lie beside the place of its cell
@@ -138,14 +139,14 @@ void OutOfSight::for_each(const Pose2& pose, double now, Visit visit) const {
     const Point2 here = seen_after({place.x, place.y});
     const double range = length_of(here);
     const double off = own_size + limits_.drift * (distance - place.distance + (angle - place.angle) * range);
-    if (off <= displaced.back()) visit(place, Here{here, range, off});
+    visit(place, Here{here, range, off});
   }
 }
 
 std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Pose2& pose, double now) const {
   std::vector<KnownPlace> places;
   for_each(pose, now, [&](const Place& place, const Here& here) {
-    if (place.seen_at - place.first_seen < rests_for) return;
+    if (place.seen_at - place.first_seen < rests_for || here.off > well_known) return;
     const double off = here.off + limits_.speed * (now - place.seen_at);
     places.push_back({here.place, camera.seen_from_camera(in_axes(here.place, place.z)), off});
   });
@@ -157,8 +158,8 @@ std::vector<Ring> OutOfSight::rings(const Pose2& pose, double reach, double now,
   for (std::size_t i = 0; i < displaced.size(); ++i) rings.push_back({reach, {}});
   for_each(pose, now, [&](const Place& place, const Here& here) {
     const bool is_shown = shows[place.sensor] && latest_.at(place.sensor) == place.look;
-    if (is_shown || here.range > reach) return;
-    const auto fits = std::lower_bound(displaced.begin(), displaced.end(), here.off);
+    if (is_shown || here.range - here.off > reach) return;
+    const auto fits = std::lower_bound(displaced.begin(), displaced.end() - 1, here.off);
     Ring& ring = rings[static_cast<std::size_t>(fits - displaced.begin())];
     ring.obstacles.points.push_back(here.place);
     ring.obstacles.widening = std::max(ring.obstacles.widening, here.off);

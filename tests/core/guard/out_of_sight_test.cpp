@@ -30,6 +30,22 @@ TEST(OutOfSight, WhatHasLeftThePictureStaysWhereItWas) {
   EXPECT_EQ(without.asked({0.0, -0.7, 0.0}).factor, 1.0);
 }
 
+/// However little odometry is trusted: where a thing is is known the less, and it counts the more.
+TEST(OutOfSight, OdometryThatDriftsLetsNothingBeForgotten) {
+  double before = 1.0;
+  for (const double drift : {0.02, 0.1, 0.3, 1.0}) {
+    Settings settings = remembering();
+    settings.odometry_drift = drift;
+    RobotWithOdometry robot(settings);
+    robot.passes(0.5, with_post);
+    robot.turns(quarter, robot.hall);
+    const double factor = robot.asked({0.0, -0.7, 0.0}).factor;
+    EXPECT_LE(factor, before) << drift;
+    before = factor;
+  }
+  EXPECT_LT(before, 0.5);
+}
+
 TEST(OutOfSight, WhatIsSeenThroughIsForgotten) {
   RobotWithOdometry robot;
   robot.passes(0.5, with_post);
