@@ -116,15 +116,5 @@ class World {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace safety_control_cloud;
-  Tape tape(bytes, size);
-  Choice choice;
-  tape(choice);
-  World world(choice);
-  for (int steps = 0; tape.left() > 0 && steps < 32; ++steps) {
-    Step step;
-    travel(tape, step);
-    world.go_on(step);
-  }
-  world.end_in_silence();
-  return 0;
+  return happen_as_told<World, Choice, Step>(bytes, size, 32);
 }

@@ -219,15 +219,5 @@ class World {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace safety_control_cloud;
-  Tape tape(bytes, size);
-  GuardChoice choice;
-  tape(choice);
-  World world(choice);
-  for (int steps = 0; tape.left() > 0 && steps < 48; ++steps) {
-    GuardStep step;
-    travel(tape, step);
-    world.go_on(step);
-  }
-  world.end_in_silence();
-  return 0;
+  return happen_as_told<World, GuardChoice, GuardStep>(bytes, size, 48);
 }

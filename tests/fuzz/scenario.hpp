@@ -126,4 +126,20 @@ void travel(Archive& archive, Step& step) {
   archive(step.bytes);
 }
 
+/// What a tape's bytes say happens in a world: first which one, and then step by step.
+template <class World, class Choice, class Step>
+int happen_as_told(const std::uint8_t* bytes, std::size_t size, int most_steps) {
+  Tape tape(bytes, size);
+  Choice choice;
+  tape(choice);
+  World world(choice);
+  for (int steps = 0; tape.left() > 0 && steps < most_steps; ++steps) {
+    Step step;
+    travel(tape, step);
+    world.go_on(step);
+  }
+  world.end_in_silence();
+  return 0;
+}
+
 }  // namespace safety_control_cloud
