@@ -137,6 +137,7 @@ std::vector<Known> GuardControl::known_at(const Instant& now) {
   std::vector<Known> all;
   std::vector<bool> shows(sensors_.size(), false);
   last_.doubts.clear();
+  if (const auto doubt = odometry_.doubt_at(now.ros)) last_.doubts.push_back("odometry: " + *doubt);
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     GuardSensor& sensor = sensors_[i];
     sensor.wait(now);

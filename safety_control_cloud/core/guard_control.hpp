@@ -32,7 +32,7 @@ struct Guarded {
   std::uint8_t open = 0;            ///< while it is: bits of the directions in which it may move (guard/directions.hpp)
   double override_left = 0.0;       ///< [s] for which what is seen is not asked; 0: it is
   Sight sight;                      ///< what the latest reading held: of the sensor that decided, or of the first
-  std::vector<std::string> doubts;  ///< what speaks against a sensor that is not required, its name first
+  std::vector<std::string> doubts;  ///< what speaks against odometry or a sensor that is not required, its name first
 };
 
 /// The guard: what sensors see, what the base is told and does, what somebody wants; and of that, what is safe. Needs

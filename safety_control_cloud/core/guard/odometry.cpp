@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../text/words.hpp"
+
 namespace safety_control_cloud {
 namespace {
 
@@ -64,6 +66,13 @@ bool Odometry::goes_on(const Noted& next) const {
 
 bool Odometry::is_fresh(double now) const {
   return !noted_.empty() && std::abs(now - noted_.back().stamp) <= longest_gap;
+}
+
+std::optional<std::string> Odometry::doubt_at(double now) const {
+  if (noted_.empty()) return breaks_ > 0 ? std::optional<std::string>("it told what no robot does") : std::nullopt;
+  if (is_fresh(now)) return std::nullopt;
+  const double age = now - noted_.back().stamp;
+  return "its latest stamp is " + measured(std::abs(age), "s") + (age > 0.0 ? " old" : " ahead");
 }
 
 std::optional<Pose2> Odometry::way_since(double stamp, double now) const {

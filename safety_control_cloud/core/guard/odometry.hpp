@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <deque>
 #include <optional>
+#include <string>
 
 #include "pose.hpp"
 
@@ -28,6 +29,9 @@ class Odometry {
 
   /// Whether it speaks at `now` [s, ROS time].
   bool is_fresh(double now) const;
+
+  /// Why one who has spoken is not believed at `now` [s, ROS time].
+  std::optional<std::string> doubt_at(double now) const;
 
   /// How often it did not go on from what was before, and the first stamp [s] since.
   std::size_t breaks() const { return breaks_; }

@@ -121,6 +121,22 @@ TEST(OutOfSight, AfterAJumpOfOdometryItStandsUntilEachSensorHasLooked) {
   EXPECT_EQ(robot.wants(right).factor, 1.0) << "where it was, nobody knows: " << robot.wants(right).reason;
 }
 
+/// Who never had any hears nothing of it.
+TEST(OutOfSight, OdometryThatIsNotBelievedIsTold) {
+  RobotWithOdometry robot, without;
+  without.has_odometry = false;
+  robot.passes(0.5, robot.hall), without.passes(0.5, without.hall);
+  EXPECT_TRUE(robot.wants({}).doubts.empty() && without.wants({}).doubts.empty());
+  robot.has_odometry = false;
+  robot.passes(0.5, robot.hall);
+  const auto doubts = robot.wants({}).doubts;
+  ASSERT_EQ(doubts.size(), std::size_t{1});
+  EXPECT_NE(doubts[0].find("odometry: its latest stamp is 0.5"), std::string::npos) << doubts[0];
+  EXPECT_NE(doubts[0].find(" s old"), std::string::npos) << doubts[0];
+  robot.control.note_odometry(robot.now.ros + 0.4, robot.pose, {});
+  EXPECT_EQ(robot.wants({}).doubts, std::vector<std::string>{"odometry: its latest stamp is 0.400 s ahead"});
+}
+
 TEST(OutOfSight, WithoutOdometryThatWasThereItStandsUntilTheirTimeEnds) {
   RobotWithOdometry robot;
   robot.passes(0.5, with_post);
