@@ -13,7 +13,7 @@ namespace {
 
 std::vector<std::string> not_finite(const Settings& settings) {
   std::vector<std::string> sentences;
-  for_each_parameter(settings, [&](const char* name, const auto& value) {
+  for_each_parameter(settings, [&]([[maybe_unused]] const char* name, const auto& value) {
     if constexpr (std::is_floating_point_v<std::decay_t<decltype(value)>>) {
       if (!std::isfinite(value)) sentences.push_back(std::string(name) + " must be finite");
     }
