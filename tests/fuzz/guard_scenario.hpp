@@ -45,12 +45,7 @@ struct GuardStep {
 /// Reads a step from a Tape, or writes it to a Recording.
 template <class Archive>
 void travel(Archive& archive, GuardStep& step) {
-  auto event = static_cast<std::uint8_t>(step.event);
-  archive(event);
-  step.event = static_cast<GuardEvent>(event % 11);
-  archive(step.elapsed);
-  archive(step.ros_elapsed);
-  archive(step.stamp_age);
+  travel_moment(archive, step, 11);
   if (step.event == GuardEvent::Settings) archive(step.choice);
   if (step.event == GuardEvent::Look) archive(step.placing), archive(step.bytes);
   if (step.event != GuardEvent::Look) archive(step.numbers);

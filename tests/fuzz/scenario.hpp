@@ -107,15 +107,21 @@ void travel(Archive& archive, Layout& layout) {
   archive(layout.row_step);
 }
 
-/// Reads a step from a Tape, or writes it to a Recording.
-template <class Archive>
-void travel(Archive& archive, Step& step) {
+/// Which of so many events a step is, and when it happens.
+template <class Archive, class AnyStep>
+void travel_moment(Archive& archive, AnyStep& step, std::uint8_t events) {
   auto event = static_cast<std::uint8_t>(step.event);
   archive(event);
-  step.event = static_cast<Event>(event % 7);
+  step.event = static_cast<decltype(step.event)>(event % events);
   archive(step.elapsed);
   archive(step.ros_elapsed);
   archive(step.stamp_age);
+}
+
+/// Reads a step from a Tape, or writes it to a Recording.
+template <class Archive>
+void travel(Archive& archive, Step& step) {
+  travel_moment(archive, step, 7);
   if (step.event == Event::Settings) archive(step.choice);
   if (step.event != Event::Picture && step.event != Event::Claims) return;
   archive(step.crop);
