@@ -89,7 +89,5 @@ def read_as_guards(path: Path, choice: Choice, sheets: Sequence[GuardSheet]) -> 
 
 
 def _topics_of(inputs: Inputs) -> List[str]:
-    odometry = [inputs.odometry.name] if inputs.odometry else []
-    switches = [switch.topic.name for switch in inputs.switches]
     sensors = [source.topic.name for source in inputs.sensors]
-    return list(dict.fromkeys([inputs.commands.name, *odometry, *switches, *sensors]))
+    return list(dict.fromkeys([*(topic.name for topic in inputs.of_base), *sensors]))

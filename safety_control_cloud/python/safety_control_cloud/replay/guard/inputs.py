@@ -28,6 +28,12 @@ class Inputs:
     odometry: Optional[Topic]
     switches: Sequence[Switch] = ()
 
+    @property
+    def of_base(self) -> List[Topic]:
+        """Commands, odometry, and the switches' topics, each once."""
+        odometry = [self.odometry] if self.odometry else []
+        return [self.commands, *odometry, *{switch.topic.name: switch.topic for switch in self.switches}.values()]
+
 
 def inputs_in(bags: Bags, parameters: Mapping[str, Any], topics: Sequence[str] = (), cmd_vel: Optional[str] = None,
               odom: Optional[str] = None) -> Inputs:

@@ -43,9 +43,7 @@ class Reading:
         self._warnings: List[str] = []
         moving = transforms_in(bags)
         self._moving = {topic.name for topic in moving}
-        of_base = [inputs.commands, *([inputs.odometry] if inputs.odometry else []),
-                   *{switch.topic.name: switch.topic for switch in inputs.switches}.values()]
-        self.topics = [*(topic for source in inputs.sensors for topic in source.topics), *of_base, *moving]
+        self.topics = [*(topic for source in inputs.sensors for topic in source.topics), *inputs.of_base, *moving]
 
     def take(self, message: Recorded) -> None:
         if self._drive is None:
