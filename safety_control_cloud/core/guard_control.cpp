@@ -27,12 +27,7 @@ Following following_of(const Settings& settings) {
 
 OutOfSightLimits out_of_sight_by(const Settings& settings) {
   const FrameCorridor& band = settings.frame_corridor;
-  return {band.bottom,
-          band.top,
-          settings.memory_distance,
-          settings.memory_time,
-          settings.odometry_drift,
-          settings.obstacle_speed,
+  return {band.bottom,           band.top, settings.memory_distance, settings.memory_time, settings.obstacle_speed,
           own_boxes_of(settings)};
 }
 
@@ -101,16 +96,34 @@ void GuardControl::see(const Reading& reading, const Origin& origin, const Insta
     breaks_ = odometry_.breaks();
   }
   if (!look) return;
-  const auto pose = odometry_.pose_at(look->stamp);
-  if (pose) {
-    out_of_sight_.note(sensor, *look, *pose, now.steady);
+  choose_whereabouts(look->stamp, now);
+  const auto robot = whereabouts_at(now.ros - look->stamp, now);
+  if (robot) {
+    out_of_sight_.note(sensor, *look, *robot, now.steady);
   } else {
-    out_of_sight_.note_unplaced(sensor);
+    out_of_sight_.note_unplaced(sensor, now.steady);
   }
+  const auto pose = by_odometry_ && robot ? std::optional(robot->pose) : std::nullopt;
   const bool is_any_lost = sensors_[sensor].note_pose(pose, now.steady);
   if (!is_any_lost || !pose || !out_of_sight_.remembers()) return;
-  const auto known = out_of_sight_.resting(look->outlook, *pose, now.steady);
+  const auto known = out_of_sight_.resting(look->outlook, *robot, now.steady);
   sensors_[sensor].explain(known, settings_.memory_time, now.steady);
+}
+
+/// By odometry once it speaks; if it falls silent, by what the base is told, but not what it was to place.
+void GuardControl::choose_whereabouts(double stamp, const Instant& now) {
+  const bool speaks = odometry_.pose_at(stamp).has_value();
+  if (speaks == by_odometry_ || (by_odometry_ && !out_of_sight_.is_empty())) return;
+  if (out_of_sight_.holds_any(now.steady)) jumped_ = odometry_.goes_on_since();
+  out_of_sight_.forget();
+  by_odometry_ = speaks;
+}
+
+/// `age` [s] ago.
+std::optional<Whereabouts> GuardControl::whereabouts_at(double age, const Instant& now) const {
+  if (!by_odometry_) return given_.whereabouts_at(now.steady - age);
+  const auto pose = odometry_.pose_at(now.ros - age);
+  return pose ? std::optional(Whereabouts{*pose, {}, settings_.odometry_drift}) : std::nullopt;
 }
 
 void GuardControl::want(const Command& wanted, const Instant& now, std::optional<double> stamp) {
@@ -178,19 +191,21 @@ std::optional<Known> GuardControl::remembered_at(const Instant& now, const std::
   }
   jumped_.reset();
   if (!out_of_sight_.holds_any(now.steady)) return std::nullopt;
-  const auto pose = odometry_.is_fresh(now.ros) ? odometry_.pose_at(now.ros) : std::nullopt;
-  if (!pose) {
+  const bool is_placed = !by_odometry_ || odometry_.is_fresh(now.ros);
+  const auto robot = is_placed ? whereabouts_at(0.0, now) : std::nullopt;
+  if (!robot) {
     known.doubt = Doubt{Cause::NoOdometry, "no odometry, and what is out of sight cannot be placed"};
     return known;
   }
   known.law = sensors_.front().law();
   known.law.min_points = 1;
-  remembered_ = out_of_sight_.rings(*pose, guard_.reach(0.0, known.law), now.steady, shows);
+  remembered_ = out_of_sight_.rings(*robot, guard_.reach(0.0, known.law), now.steady, shows);
   // What the margin is kept for: half of it for where things are, the rest for what the robot does.
   for (Ring& ring : remembered_)
     ring.obstacles.widening = std::max(0.0, ring.obstacles.widening - 0.5 * settings_.margin);
   known.rings = &remembered_;
   known.ways = {Pose2{}};
+  known.is_reckoned = !by_odometry_;
   return known;
 }
 

@@ -15,6 +15,9 @@ constexpr double step = 0.02;           ///< [s] in which a way is gone
 constexpr double longest_way = 2.0;     ///< [s] in more steps; longer ones in as many longer steps
 constexpr double no_difference = 1e-6;  ///< [m], [rad]
 constexpr double rounding = 1e-9;       ///< [s], [m/s], [rad/s]
+constexpr double brisk = 3.0;           ///< times the slowest
+constexpr double timeout = 0.5;         ///< [s] after which a base may stop that is told nothing
+constexpr double slip = 0.1;            ///< [m/m], [rad/rad] by which wheels may miss what they are told
 
 /// [m/s], [rad/s] by which the twists of a motion that goes on may differ from shares of one.
 constexpr double unsteady_speed = 0.05, unsteady_turning = 0.15;
@@ -64,7 +67,12 @@ class Rest {
 
 void Given::note(const Twist2& twist, double now) {
   if (!told_.empty() && same(told_.back().twist, twist) && now - told_.back().since < following_.delay) return;
-  told_.push_back({now, twist, slowly_at(now), reckoned_at(now)});
+  Told told{now, twist, {}, {}, at_once(now), half(now), forgetful(now)};
+  for (const Late base : {Slow, Sluggish, Brisk}) {
+    told.late[base] = twist_of(base, now);
+    told.late_at[base] = pose_of(base, now);
+  }
+  told_.push_back(told);
   while (told_.size() > 1 && told_[1].since < now - kept) told_.pop_front();
 }
 
@@ -79,17 +87,19 @@ Twist2 Given::told_at(double moment) const {
 }
 
 /// From what it did when it was told last, by all that had its effect since, one after the other.
-Twist2 Given::slowly_at(double moment) const {
+Twist2 Given::twist_of(Late base, double moment) const {
   const auto after = first_after(moment);
   if (after == told_.begin()) return {};
   const Told& last = *std::prev(after);
-  Twist2 twist = last.slowly;
+  const auto next = base == Slow ? slowed : toward;
+  const double quickness = base == Brisk ? brisk : 1.0;
+  Twist2 twist = last.late[base];
   double time = last.since;
   const auto follow = [&](double until) {
     const Twist2 aim = told_at(time - following_.delay + rounding);
-    const double linear = following_.linear_deceleration * (until - time);
-    twist = {slowed(twist.vx, aim.vx, linear), slowed(twist.vy, aim.vy, linear),
-             slowed(twist.w, aim.w, following_.angular_deceleration * (until - time))};
+    const double linear = quickness * following_.linear_deceleration * (until - time);
+    const double angular = quickness * following_.angular_deceleration * (until - time);
+    twist = {next(twist.vx, aim.vx, linear), next(twist.vy, aim.vy, linear), next(twist.w, aim.w, angular)};
     time = until;
   };
   for (auto told = first_after(time - following_.delay); told != told_.end(); ++told) {
@@ -149,20 +159,50 @@ Twist2 Given::Steady::with(const Twist2& measured) const {
   return sum(twist, difference(measured, limited(now, share_in(now, measured))));
 }
 
-Pose2 Given::slow_way(double then, double now) const {
-  const double time = std::max(0.0, now - then), steps = std::ceil(std::min(time, longest_way) / step);
-  Pose2 way;
-  for (double i = 0.0; i < steps; ++i) way = beyond(way, way_of(slowly_at(then + i * time / steps), time / steps));
-  return way;
+Pose2 Given::pose_of(Late base, double moment) const {
+  if (told_.empty()) return {};
+  const auto after = first_after(moment);
+  if (after == told_.begin()) return told_.front().late_at[base];
+  const Told& last = *std::prev(after);
+  const double time = moment - last.since, steps = std::ceil(std::min(time, longest_way) / step);
+  Pose2 pose = last.late_at[base];
+  for (double i = 0.0; i < steps; ++i)
+    pose = beyond(pose, way_of(twist_of(base, last.since + i * time / steps), time / steps));
+  return pose;
+}
+
+/// From where it was when it was told last.
+template <class Way>
+Pose2 Given::gone_on(double moment, Pose2 Told::*then, Way way) const {
+  if (told_.empty()) return {};
+  const auto after = first_after(moment);
+  if (after == told_.begin()) return told_.front().*then;
+  const Told& last = *std::prev(after);
+  return beyond(last.*then, way(last, moment - last.since));
+}
+
+Pose2 Given::at_once(double moment) const {
+  return gone_on(moment, &Told::at_once, [](const Told& last, double time) { return way_of(last.twist, time); });
+}
+
+Pose2 Given::half(double moment) const {
+  return gone_on(moment, &Told::half,
+                 [](const Told& last, double time) { return way_of(limited(last.twist, 0.5), time); });
+}
+
+Pose2 Given::forgetful(double moment) const {
+  return gone_on(moment, &Told::forgetful,
+                 [](const Told& last, double time) { return way_of(last.twist, std::min(time, timeout)); });
 }
 
 Given::Reckoned Given::reckoned_at(double moment) const {
-  const auto after = first_after(moment);
-  if (after == told_.begin()) return told_.empty() ? Reckoned{} : told_.front().at;
-  const auto& [since, twist, slowly, at] = *std::prev(after);
-  const double time = moment - since;
-  return {beyond(at[0], way_of(twist, time)), beyond(at[1], way_of(limited(twist, 0.5), time)),
-          beyond(at[2], slow_way(since, moment))};
+  return {at_once(moment), half(moment), pose_of(Slow, moment)};
+}
+
+Whereabouts Given::whereabouts_at(double moment) const {
+  const Pose2 prompt = at_once(moment), sluggish = pose_of(Sluggish, moment);
+  const Pose2 amid{0.5 * (prompt.place + sluggish.place), 0.5 * (prompt.heading + sluggish.heading)};
+  return {amid, {prompt, sluggish, pose_of(Brisk, moment), forgetful(moment)}, slip};
 }
 
 std::vector<Pose2> Given::ways_since(const Reckoned& then, double now) const {

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <deque>
 #include <optional>
 #include <vector>
 
 #include "pose.hpp"
+#include "whereabouts.hpp"
 
 namespace safety_control_cloud {
 
@@ -42,17 +44,35 @@ class Given {
   /// true one lies between them.
   std::vector<Pose2> ways_since(const Reckoned& then, double now) const;
 
+  /// Where it is by all that it was told so far, however long that is, if it is as quick to gain speed as to lose it:
+  /// or else where those are who do so at once, or as late and as slowly as can be, or who stand when nobody tells them
+  /// to go on. At most ten seconds ago.
+  Whereabouts whereabouts_at(double moment) const;
+
  private:
+  /// Bases that obey as late as can be: one that gains speed at once and loses it as slowly as it can, one that gains
+  /// it as slowly too, and one that is three times as quick in both.
+  enum Late : std::size_t { Slow, Sluggish, Brisk, kinds };
+
   struct Told {
     double since;
     Twist2 twist;
-    Twist2 slowly;  ///< what the slowest base did at that moment
-    Reckoned at;
+    std::array<Twist2, kinds> late;  ///< what these did at that moment
+    std::array<Pose2, kinds> late_at;
+    Pose2 at_once, half;
+    Pose2 forgetful;  ///< where one was who obeys at once, and not for long
   };
 
   std::deque<Told>::const_iterator first_after(double moment) const;
   Twist2 told_at(double moment) const;
-  Twist2 slowly_at(double moment) const;
+  Twist2 twist_of(Late base, double moment) const;
+  Twist2 slowly_at(double moment) const { return twist_of(Slow, moment); }
+  Pose2 pose_of(Late base, double moment) const;
+  template <class Way>
+  Pose2 gone_on(double moment, Pose2 Told::*then, Way way) const;
+  Pose2 at_once(double moment) const;
+  Pose2 half(double moment) const;
+  Pose2 forgetful(double moment) const;
   /// What comes to the same, until it stops, as one twist that is kept for the delay.
   struct Steady {
     Twist2 twist;
@@ -63,7 +83,6 @@ class Given {
   };
 
   std::optional<Steady> as_if_steady(const std::vector<Twist2>& twists, double now) const;
-  Pose2 slow_way(double then, double now) const;
 
   Following following_;
   std::deque<Told> told_;

@@ -67,8 +67,10 @@ Allowed Guard::allowed(const Twist2& wanted, const std::vector<Twist2>& under_wa
   }
   const Allowed capped = lesser(lesser(by_speed(wanted), by_eyes(wanted, known)), by_zones(wanted, known));
   const Twist2 slower = limited(wanted, capped.factor);
+  const bool in_view = looks_there(wanted, known);
   Allowed seen;
-  for (const Known& one : known) seen = lesser(std::move(seen), by_sight(slower, under_way, one));
+  for (const Known& one : known)
+    if (!in_view || !one.is_reckoned) seen = lesser(std::move(seen), by_sight(slower, under_way, one));
   if (seen.factor >= 1.0) return capped;
   seen.factor *= capped.factor;
   seen.time_to_contact *= capped.factor;
@@ -112,9 +114,16 @@ Allowed Guard::by_zones(const Twist2& wanted, const std::vector<Known>& known) c
   return least;
 }
 
+/// Whether some sensor looks where this leads.
+bool Guard::looks_there(const Twist2& wanted, const std::vector<Known>& known) const {
+  const double time = 1.0;  // the direction counts, not the way
+  return std::any_of(known.begin(), known.end(), [&](const Known& one) {
+    return !one.lost && one.eye && !leads_into_the_unseen(outline_, *one.eye, wanted, time);
+  });
+}
+
 /// Where nobody looks, no faster than is said for that; nor than out of the margin, away from what was lost.
 Allowed Guard::by_eyes(const Twist2& wanted, const std::vector<Known>& known) const {
-  const double time = 1.0;  // the direction counts, not the way
   const auto slowly_from = [&](const Known& one, Allowed least) {
     if (!one.lost) return least;
     return lesser(std::move(least), capped(wanted, settings_.escape_speed, one.lost->reason));
@@ -122,10 +131,7 @@ Allowed Guard::by_eyes(const Twist2& wanted, const std::vector<Known>& known) co
   Allowed least;
   for (const Known& one : known)
     if (one.is_touched) least = slowly_from(one, std::move(least));
-  const auto looks_there = [&](const Known& one) {
-    return !one.lost && one.eye && !leads_into_the_unseen(outline_, *one.eye, wanted, time);
-  };
-  if (std::any_of(known.begin(), known.end(), looks_there)) return least;
+  if (looks_there(wanted, known)) return least;
   least = lesser(std::move(least), capped(wanted, settings_.unseen_speed, "no sensor looks there: unseen_speed"));
   for (const Known& one : known) least = slowly_from(one, std::move(least));
   return least;

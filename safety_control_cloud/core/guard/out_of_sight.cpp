@@ -29,6 +29,13 @@ std::uint64_t key_of(const Point2& place, double height) {
 
 std::size_t step_for(std::size_t size, std::size_t wanted) { return (size + wanted - 1) / wanted; }
 
+/// [m] at most, of a point at this range.
+double farthest(const std::vector<Pose2>& ways, double range) {
+  double most = 0.0;
+  for (const Pose2& way : ways) most = std::max(most, displacement(way, range));
+  return most;
+}
+
 /// Where a place of base_frame lies in the corridor's axes.
 Point in_axes(const Point2& place, float height) {
   return Point(static_cast<float>(-place.y), -height, static_cast<float>(place.x));
@@ -36,25 +43,61 @@ Point in_axes(const Point2& place, float height) {
 
 }  // namespace
 
-void OutOfSight::note(std::size_t sensor, const Look& look, const Pose2& pose, double now) {
-  travel(pose);
+/// Where the robot may be now instead, as seen from where it is taken to be, if a place is where a look had it.
+class OutOfSight::OrElse {
+ public:
+  OrElse(const std::deque<Taken>& taken, std::uint64_t latest, const Whereabouts& robot)
+      : taken_(taken), latest_(latest), robot_(robot), ways_(robot.or_else.empty() ? 0 : taken.size()) {}
+
+  const std::vector<Pose2>& since(std::uint64_t look) {
+    static const std::vector<Pose2> none;
+    const std::uint64_t looks_since = latest_ - look;
+    if (looks_since >= ways_.size()) return none;
+    const std::size_t i = ways_.size() - 1 - static_cast<std::size_t>(looks_since);
+    if (!ways_[i]) ways_[i] = ways_from(taken_[i].robot);
+    return *ways_[i];
+  }
+
+ private:
+  std::vector<Pose2> ways_from(const Whereabouts& then) const {
+    const Pose2 way = between(then.pose, robot_.pose);
+    std::vector<Pose2> ways;
+    for (std::size_t i = 0; i < std::min(then.or_else.size(), robot_.or_else.size()); ++i)
+      ways.push_back(between(way, between(then.or_else[i], robot_.or_else[i])));
+    return ways;
+  }
+
+  const std::deque<Taken>& taken_;
+  std::uint64_t latest_;
+  const Whereabouts& robot_;
+  std::vector<std::optional<std::vector<Pose2>>> ways_;
+};
+
+void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now) {
+  travel(robot);
+  begin(sensor, robot, now);
   if (!remembers()) return places_.clear();
-  latest_[sensor] = ++look_;
   const auto is_over = [&](const Place& place) { return now - place.seen_at > limits_.time; };
   for (auto it = places_.begin(); it != places_.end();) it = is_over(it->second) ? places_.erase(it) : std::next(it);
   const SeenAt seen_at(look.reading, look.view);
   if (!seen_at.can_tell()) return;
-  keep_near(sensor, look, pose, now);
-  drop_what_has_gone(look, seen_at, pose, now);
+  keep_near(sensor, look, robot.pose, now);
+  drop_what_has_gone(look, seen_at, robot, now);
 }
 
-void OutOfSight::travel(const Pose2& pose) {
+void OutOfSight::begin(std::size_t sensor, const Whereabouts& robot, double now) {
+  latest_[sensor] = ++look_;
+  taken_.push_back({now, robot});
+  while (now - taken_.front().at > limits_.time && taken_.size() > 1) taken_.pop_front();
+}
+
+void OutOfSight::travel(const Whereabouts& robot) {
   if (pose_) {
-    const Pose2 way = between(*pose_, pose);
-    distance_ += length_of(way.place);
-    angle_ += std::abs(way.heading);
+    const Pose2 way = between(*pose_, robot.pose);
+    drifted_ += robot.drift * length_of(way.place);
+    turned_ += robot.drift * std::abs(way.heading);
   }
-  pose_ = pose;
+  pose_ = robot.pose;
 }
 
 void OutOfSight::keep_near(std::size_t sensor, const Look& look, const Pose2& pose, double now) {
@@ -81,7 +124,7 @@ void OutOfSight::keep(std::size_t sensor, const Point2& place, float height, dou
   const auto found = places_.find(key);
   if (found == places_.end() && places_.size() >= most) return;
   Place kept{
-      static_cast<float>(place.x), static_cast<float>(place.y), height, now, now, distance_, angle_, sensor, look_};
+      static_cast<float>(place.x), static_cast<float>(place.y), height, now, now, drifted_, turned_, sensor, look_};
   if (found == places_.end()) {
     places_.emplace(key, kept);
     return;
@@ -93,8 +136,13 @@ void OutOfSight::keep(std::size_t sensor, const Point2& place, float height, dou
   found->second = kept;
 }
 
-void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Pose2& pose, double now) {
-  const SeenAfter seen_after(pose);
+/// Where nobody knows quite where the robot is, only what would be shown wherever that is.
+void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Whereabouts& robot, double now) {
+  const SeenAfter seen_after(robot.pose);
+  OrElse or_else(taken_, look_, robot);
+  const auto from_camera = [&](const Point2& here, float height) {
+    return look.outlook.seen_from_camera(in_axes(here, height));
+  };
   for (auto it = places_.begin(); it != places_.end();) {
     Place& place = it->second;
     if (place.look == look_) {
@@ -102,9 +150,16 @@ void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, con
       continue;
     }
     const Point2 here = seen_after({place.x, place.y});
-    const Point seen_from_there = look.outlook.seen_from_camera(in_axes(here, place.z));
-    const bool is_measured = seen_from_there.getVector3fMap().norm() >= static_cast<float>(look.measures_from);
-    it = has_gone(place, seen_at(seen_from_there), is_measured, now) ? places_.erase(it) : std::next(it);
+    const auto& ways = or_else.since(place.look);
+    const double beside = farthest(ways, length_of(here));
+    const Point there = from_camera(here, place.z);
+    AtPlace seen = seen_at(there, beside);
+    for (const Pose2& way : ways) {
+      if (seen == AtPlace::NotThere) break;
+      seen = std::min(seen, seen_at(from_camera(SeenAfter(way)(here), place.z), beside));
+    }
+    const bool is_measured = there.getVector3fMap().norm() >= static_cast<float>(look.measures_from + beside);
+    it = has_gone(place, seen, is_measured, now) ? places_.erase(it) : std::next(it);
   }
 }
 
@@ -130,22 +185,24 @@ bool OutOfSight::holds_any(double now) const {
 }
 
 template <class Visit>
-void OutOfSight::for_each(const Pose2& pose, double now, Visit visit) const {
-  const SeenAfter seen_after(pose);
-  const Pose2 since = pose_ ? between(*pose_, pose) : Pose2{};
-  const double distance = distance_ + length_of(since.place), angle = angle_ + std::abs(since.heading);
+void OutOfSight::for_each(const Whereabouts& robot, double now, Visit visit) const {
+  const SeenAfter seen_after(robot.pose);
+  OrElse or_else(taken_, look_, robot);
+  const Pose2 since = pose_ ? between(*pose_, robot.pose) : Pose2{};
+  const double drifted = drifted_ + robot.drift * length_of(since.place);
+  const double turned = turned_ + robot.drift * std::abs(since.heading);
   for (const auto& [key, place] : places_) {
     if (!counts(place, now)) continue;
     const Point2 here = seen_after({place.x, place.y});
     const double range = length_of(here);
-    const double off = own_size + limits_.drift * (distance - place.distance + (angle - place.angle) * range);
-    visit(place, Here{here, range, off});
+    const double beside = farthest(or_else.since(place.look), range);
+    visit(place, Here{here, range, own_size + drifted - place.drifted + (turned - place.turned) * range + beside});
   }
 }
 
-std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Pose2& pose, double now) const {
+std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Whereabouts& robot, double now) const {
   std::vector<KnownPlace> places;
-  for_each(pose, now, [&](const Place& place, const Here& here) {
+  for_each(robot, now, [&](const Place& place, const Here& here) {
     if (place.seen_at - place.first_seen < rests_for || here.off > well_known) return;
     const double off = here.off + limits_.speed * (now - place.seen_at);
     places.push_back({here.place, camera.seen_from_camera(in_axes(here.place, place.z)), off});
@@ -153,10 +210,11 @@ std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Pose2& 
   return places;
 }
 
-std::vector<Ring> OutOfSight::rings(const Pose2& pose, double reach, double now, const std::vector<bool>& shows) const {
+std::vector<Ring> OutOfSight::rings(const Whereabouts& robot, double reach, double now,
+                                    const std::vector<bool>& shows) const {
   std::vector<Ring> rings;
   for (std::size_t i = 0; i < displaced.size(); ++i) rings.push_back({reach, {}});
-  for_each(pose, now, [&](const Place& place, const Here& here) {
+  for_each(robot, now, [&](const Place& place, const Here& here) {
     const bool is_shown = shows[place.sensor] && latest_.at(place.sensor) == place.look;
     if (is_shown || here.range - here.off > reach) return;
     const auto fits = std::lower_bound(displaced.begin(), displaced.end() - 1, here.off);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <unordered_map>
@@ -13,6 +14,7 @@
 #include "pose.hpp"
 #include "seen_at.hpp"
 #include "surroundings.hpp"
+#include "whereabouts.hpp"
 
 namespace safety_control_cloud {
 
@@ -30,13 +32,12 @@ struct OutOfSightLimits {
   double bottom = 0.0, top = 0.0;  ///< [m] heights, inclusive
   double distance = 0.0;           ///< [m] from base_frame's origin: what came so near is kept; 0: nothing is
   double time = 0.0;               ///< [s] for so long
-  double drift = 0.0;              ///< [m/m], [rad/rad] of the odometry: what it may be off by
   double speed = 0.0;              ///< [m/s] of obstacles
   std::vector<OwnBox> self = {};   ///< of the robot itself
 };
 
 /// What came near the robot and no sensor shows any more: beside it, behind it, in its blind zone. Kept as places in a
-/// frame that rests, in which odometry says where the robot is, each until a sensor sees what is behind it, or has seen
+/// frame that rests, in which somebody says where the robot is, each until a sensor sees what is behind it, or has seen
 /// nothing there for a while where it could, or until its time is over. A place counts once two looks have shown it.
 class OutOfSight {
  public:
@@ -45,39 +46,47 @@ class OutOfSight {
   /// Goes on within other limits.
   void limit(OutOfSightLimits limits) { limits_ = std::move(limits); }
 
-  /// What `sensor` shows, the robot being at `pose` of the resting frame. `now` [s] steady. Of a cloud that is not
+  /// What `sensor` shows, the robot being there in the resting frame. `now` [s] steady. Of a cloud that is not
   /// organised nothing is kept: nobody could tell what is seen behind it.
-  void note(std::size_t sensor, const Look& look, const Pose2& pose, double now);
+  void note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now);
 
   /// `sensor` shows something, and nobody knows from where.
-  void note_unplaced(std::size_t sensor) { latest_[sensor] = ++look_; }
+  void note_unplaced(std::size_t sensor, double now) { begin(sensor, {}, now); }
 
   void forget() { *this = OutOfSight(limits_); }
 
   /// Whether anything would be kept.
   bool remembers() const { return limits_.distance > 0.0 && limits_.time > 0.0; }
 
+  bool is_empty() const { return places_.empty(); }
+
   /// Whether anything is.
   bool holds_any(double now) const;
 
-  /// What is kept and was seen to rest, around a robot at `pose`, and as a camera there has it. What walks leaves a
-  /// trail of places, of which each was shown for a moment.
-  std::vector<KnownPlace> resting(const Outlook& camera, const Pose2& pose, double now) const;
+  /// What is kept and was seen to rest, around the robot, and as a camera there has it. What walks leaves a trail of
+  /// places, of which each was shown for a moment.
+  std::vector<KnownPlace> resting(const Outlook& camera, const Whereabouts& robot, double now) const;
 
-  /// What is kept and not shown by the latest look of its sensor, around a robot at `pose`, out to `reach` [m]; by how
-  /// much it may have been displaced meanwhile. `shows`: of each sensor, whether its latest look is believed still.
-  std::vector<Ring> rings(const Pose2& pose, double reach, double now, const std::vector<bool>& shows) const;
+  /// What is kept and not shown by the latest look of its sensor, around the robot, out to `reach` [m]; by how much it
+  /// may have been displaced meanwhile. `shows`: of each sensor, whether its latest look is believed still.
+  std::vector<Ring> rings(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows) const;
 
  private:
   struct Place {
     float x, y, z;           ///< [m] in the resting frame, the height above base_frame
     double seen_at;          ///< [s] steady
     double first_seen;       ///< [s] steady
-    double distance, angle;  ///< [m], [rad] that the robot had travelled then
+    double drifted, turned;  ///< [m], [rad] of the robot's way then
     std::size_t sensor;
     std::uint64_t look;  ///< the latest that showed it
     std::uint8_t looks = 1, away = 0;
     std::optional<double> absent_since = std::nullopt;  ///< [s] steady
+  };
+
+  /// A look, and where the robot was then.
+  struct Taken {
+    double at;  ///< [s] steady
+    Whereabouts robot;
   };
 
   /// A place as it lies around the robot now, and by how much it may have been displaced meanwhile.
@@ -86,21 +95,24 @@ class OutOfSight {
     double range, off;  ///< [m]
   };
 
+  class OrElse;
+  void begin(std::size_t sensor, const Whereabouts& robot, double now);
   bool counts(const Place& place, double now) const;
   template <class Visit>
-  void for_each(const Pose2& pose, double now, Visit visit) const;
-  void travel(const Pose2& pose);
+  void for_each(const Whereabouts& robot, double now, Visit visit) const;
+  void travel(const Whereabouts& robot);
   void keep_near(std::size_t sensor, const Look& look, const Pose2& pose, double now);
   void keep(std::size_t sensor, const Point2& place, float height, double now);
-  void drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Pose2& pose, double now);
+  void drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Whereabouts& robot, double now);
   bool has_gone(Place& place, AtPlace seen, bool is_measured, double now) const;
 
   OutOfSightLimits limits_;
   std::unordered_map<std::uint64_t, Place> places_;  ///< by cell
   std::map<std::size_t, std::uint64_t> latest_;      ///< look of each sensor
   std::uint64_t look_ = 0;
+  std::deque<Taken> taken_;  ///< the latest looks, as long as a place of theirs may be kept
   std::optional<Pose2> pose_;
-  double distance_ = 0.0, angle_ = 0.0;
+  double drifted_ = 0.0, turned_ = 0.0;  ///< [m], [rad] by which the way so far may be off
 };
 
 }  // namespace safety_control_cloud

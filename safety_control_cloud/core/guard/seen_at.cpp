@@ -18,23 +18,25 @@ constexpr double close_enough = 1.5;                 ///< [px]
 /// Of several pixels around a direction, one after the other.
 class Around {
  public:
-  explicit Around(double distance) : distance_(distance), tolerance_(behind + behind_rate * distance) {}
+  Around(double distance, double off)
+      : distance_(distance), tolerance_(behind + behind_rate * distance + off), may_lie_beside_(off > 0.0) {}
 
   void add(bool returned, double seen) {
     ++pixels_;
     all_returned_ = all_returned_ && returned;
-    none_before_ = none_before_ && (!returned || seen > distance_ + tolerance_);
+    none_before_ = none_before_ && !(returned && seen < distance_ - tolerance_);
     if (returned && std::abs(seen - distance_) <= tolerance_) ++there_;
   }
   /// A single stray return shows nothing.
   AtPlace answer() const {
     if (2 * there_ > pixels_) return AtPlace::Shown;
-    if (!none_before_) return AtPlace::NotThere;
+    if (!none_before_ || (there_ > 0 && !may_lie_beside_)) return AtPlace::NotThere;
     return all_returned_ ? AtPlace::Behind : AtPlace::Nothing;
   }
 
  private:
   double distance_, tolerance_;  ///< [m]
+  bool may_lie_beside_;
   bool all_returned_ = true, none_before_ = true;
   int pixels_ = 0, there_ = 0;
 };
@@ -57,13 +59,13 @@ SeenAt::SeenAt(const Reading& reading, const View& view)
       picture_(picture_in(reading, view)),
       scan_(std::get_if<ScanView>(&reading)) {}
 
-AtPlace SeenAt::operator()(const Point& place) const {
-  if (scan_) return in_scan(place);
-  return picture_ ? in_picture(place) : AtPlace::NotThere;
+AtPlace SeenAt::operator()(const Point& place, double off) const {
+  if (scan_) return in_scan(place, off);
+  return picture_ ? in_picture(place, off) : AtPlace::NotThere;
 }
 
 /// The pixel that looks there, corrected by the rays of those that returned: a lens may bend them.
-AtPlace SeenAt::in_picture(const Point& place) const {
+AtPlace SeenAt::in_picture(const Point& place, double off) const {
   if (!(place.z > nearest) || !picture_->holds(place)) return AtPlace::NotThere;
   const double x = double{place.x} / place.z, y = double{place.y} / place.z;
   const double across = (picture_->right - picture_->left) / static_cast<double>(pixels_.width());
@@ -80,20 +82,20 @@ AtPlace SeenAt::in_picture(const Point& place) const {
   const auto r = std::lround(row), c = std::lround(column);
   const auto beside = [](long at, std::size_t size) { return at < 0 || at >= static_cast<long>(size); };
   if (beside(r, pixels_.height()) || beside(c, pixels_.width())) return AtPlace::NotThere;
-  Around around(place.z);
+  Around around(place.z, off);
   for (const float z : pixels_.around(static_cast<std::size_t>(r), static_cast<std::size_t>(c)))
     around.add(!std::isnan(z), z);
   return around.answer();
 }
 
-AtPlace SeenAt::in_scan(const Point& place) const {
+AtPlace SeenAt::in_scan(const Point& place, double off) const {
   const double distance = std::hypot(place.x, place.y), bearing = std::atan2(place.y, place.x);
   if (std::abs(place.z) > in_plane || bearing < scan_->first || bearing > scan_->last || pixels_.width() < 2)
     return AtPlace::NotThere;
   const auto last = static_cast<std::ptrdiff_t>(pixels_.width()) - 1;
   const double share = (bearing - scan_->first) / (scan_->last - scan_->first);
   const auto at = static_cast<std::ptrdiff_t>(std::lround(share * static_cast<double>(last)));
-  Around around(distance);
+  Around around(distance, off);
   for (std::ptrdiff_t beside = -1; beside <= 1; ++beside) {
     const Point seen = pixels_.near(0, (scan_->descending ? last - at : at) + beside);
     around.add(returned(seen), std::hypot(seen.x, seen.y));

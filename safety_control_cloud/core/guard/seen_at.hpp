@@ -10,12 +10,12 @@
 
 namespace safety_control_cloud {
 
-/// What a look shows where something is remembered.
+/// What a look shows where something is remembered; the more it says of that, the later.
 enum class AtPlace : std::uint8_t {
   NotThere,  ///< it does not look there, or at something before it
-  Shown,     ///< most of what returns from around its direction lies where it does
   Nothing,   ///< it looks there, and nothing returns from it nor before it
   Behind,    ///< all that returns from around its direction lies behind it
+  Shown,     ///< most of what returns from around its direction lies where it does
 };
 
 /// Asks one look about places, in the sensor's own frame.
@@ -26,11 +26,12 @@ class SeenAt {
   /// A picture in rows and columns, or a scan: of others nothing can be told.
   bool can_tell() const { return picture_ || scan_; }
 
-  AtPlace operator()(const Point& place) const;
+  /// `off` [m] by which it may lie elsewhere: what returns from no more than that before it or behind it may be it.
+  AtPlace operator()(const Point& place, double off = 0.0) const;
 
  private:
-  AtPlace in_picture(const Point& place) const;
-  AtPlace in_scan(const Point& place) const;
+  AtPlace in_picture(const Point& place, double off) const;
+  AtPlace in_scan(const Point& place, double off) const;
 
   Pixels pixels_;
   std::optional<FieldOfView> picture_;

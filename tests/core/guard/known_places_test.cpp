@@ -13,7 +13,9 @@ namespace {
 const FieldOfView xtion_field{-0.577, 0.577, -0.433, 0.433};
 
 /// A place that stands on the floor, so far ahead of the camera and to its right.
-KnownPlace standing(float ahead, float right, double off = 0.01) { return {{}, Point(right, 0.35f * ahead, ahead), off}; }
+KnownPlace standing(float ahead, float right, double off = 0.01) {
+  return {{}, Point(right, 0.35f * ahead, ahead), off};
+}
 
 std::vector<KnownPlace> standing_across(float ahead, float from, float to, double off = 0.01) {
   std::vector<KnownPlace> known;

@@ -154,6 +154,48 @@ TEST(OutOfSight, WhoNeverHadOdometryDrivesByWhatHeSees) {
   EXPECT_EQ(robot.asked(left).factor, 1.0);
 }
 
+/// Turned by what it is told.
+struct RobotWithoutOdometry : RobotWithOdometry {
+  RobotWithoutOdometry() { has_odometry = false; }
+
+  void turns_around(const Scene& scene, double speed = 0.5) {
+    for (double t = 0.0; t < 2.0 * quarter / std::abs(speed); t += 0.05) drives_on(scene, {0.0, 0.0, speed});
+    passes(1.0, scene);
+  }
+};
+
+TEST(OutOfSight, WithoutOdometryItStaysByWhatTheBaseIsToldAndCountsWhereNobodyLooks) {
+  RobotWithoutOdometry robot, without;
+  robot.passes(0.5, with_post);
+  for (RobotWithoutOdometry* one : {&robot, &without}) one->turns_around(one->hall);
+  const Guarded& answer = robot.asked({-0.6, 0.0, 0.0});
+  EXPECT_LT(answer.factor, 0.95) << answer.reason;
+  EXPECT_EQ(answer.sensor, "memory");
+  EXPECT_EQ(without.asked({-0.6, 0.0, 0.0}).factor, 1.0);
+  EXPECT_EQ(robot.asked({0.6, 0.0, 0.0}).factor, 1.0) << "the camera looks there";
+}
+
+TEST(OutOfSight, WithoutOdometryWhatIsSeenThroughIsForgottenToo) {
+  RobotWithoutOdometry robot;
+  robot.passes(0.5, with_post);
+  robot.turns_around(robot.hall);
+  robot.turns_around(Scene({wall_before(1.5)}), -0.5);
+  robot.turns_around(robot.hall);
+  EXPECT_EQ(robot.asked({-0.6, 0.0, 0.0}).factor, 1.0) << robot.wants({-0.6, 0.0, 0.0}).reason;
+}
+
+/// Its frame is another one.
+TEST(OutOfSight, OnceOdometrySpeaksItIsForgottenWhenEachSensorHasLooked) {
+  RobotWithoutOdometry robot;
+  robot.passes(0.5, with_post);
+  robot.turns_around(robot.hall);
+  robot.has_odometry = true;
+  EXPECT_EQ(robot.asked({-0.6, 0.0, 0.0}).factor, 1.0) << robot.wants({-0.6, 0.0, 0.0}).reason;
+  robot.passes(0.5, with_post);
+  robot.turns(2.0 * quarter, robot.hall);
+  EXPECT_LT(robot.asked({-0.6, 0.0, 0.0}).factor, 0.95) << "from now on by odometry";
+}
+
 TEST(OutOfSight, ResetForgets) {
   RobotWithOdometry robot;
   robot.passes(0.5, with_post);

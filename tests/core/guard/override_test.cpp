@@ -78,9 +78,9 @@ TEST(Override, WhatIsSlowerPassesEqualInEveryBit) {
 TEST(Override, OddWishesAreRefusedAndTheOneThatHoldsGoesOn) {
   BeforeAWall robot;
   ASSERT_TRUE(robot.ask(1.0, 0.1).granted);
-  const OverrideWish odd[] = {{-1.0, 0.1, true},      {nan_value, 0.1, true}, {infinite, 0.1, true}, {10.1, 0.1, true},
-                              {1.0, -0.1, true},      {1.0, 0.0, true},       {1.0, 0.41, true},     {1.0, nan_value, true},
-                              {1.0, infinite, true}, {-infinite, 0.1, true}};
+  const OverrideWish odd[] = {
+      {-1.0, 0.1, true}, {nan_value, 0.1, true}, {infinite, 0.1, true},  {10.1, 0.1, true},     {1.0, -0.1, true},
+      {1.0, 0.0, true},  {1.0, 0.41, true},      {1.0, nan_value, true}, {1.0, infinite, true}, {-infinite, 0.1, true}};
   for (const OverrideWish& wish : odd)
     EXPECT_FALSE(robot.control.ask_override(wish, robot.now).granted) << wish.seconds << " " << wish.speed;
   EXPECT_NEAR(robot.wants(ahead).override_left, 1.0, 1e-9);
@@ -103,7 +103,9 @@ TEST(Override, ASecondOneTakesThePlaceOfTheFirstAndZeroSecondsEndIt) {
 
 TEST(Override, InDoubtItIsRefusedAndStandsUnlessAskedForExplicitly) {
   BeforeAWall robot;
-  const auto doubt = [&] { robot.control.see(Unreadable{"no field x"}, {robot.now.ros, xtion(), "camera", ""}, robot.now); };
+  const auto doubt = [&] {
+    robot.control.see(Unreadable{"no field x"}, {robot.now.ros, xtion(), "camera", ""}, robot.now);
+  };
   doubt();
   const OverrideReply refused = robot.ask(1.0, 0.1);
   EXPECT_FALSE(refused.granted);

@@ -14,7 +14,8 @@ constexpr StampLimits limits{0.3, 1.0};
 constexpr double now = 1000.0, odd = std::numeric_limits<double>::quiet_NaN();
 
 TEST(Stamped, WhatIsOfNowMayComeAndWhatIsOldAheadOrUnknownMayNot) {
-  for (const double stamp : {now, now - 0.299, now + 0.999}) EXPECT_FALSE(refusal_of_stamp(stamp, now, limits)) << stamp;
+  for (const double stamp : {now, now - 0.299, now + 0.999})
+    EXPECT_FALSE(refusal_of_stamp(stamp, now, limits)) << stamp;
   for (const double stamp : {now - 0.301, 1.0, now + 1.001, 4e9, 0.0, -1.0, odd})
     EXPECT_TRUE(refusal_of_stamp(stamp, now, limits)) << stamp;
 }

@@ -226,6 +226,39 @@ TEST(Given, WhatWasSeenTenSecondsAgoHasAWholeWayBehindIt) {
   EXPECT_NEAR(given.ways_since(given.reckoned_at(3.0), 13.0)[1].place.x, 5.0, 1e-6);
 }
 
+/// Of any base that is as quick to gain speed as to lose it.
+TEST(Given, WhereaboutsSpanWhereSuchABaseIs) {
+  for (const double delay : {0.01, 0.08, 0.15}) {
+    for (const double quickness : {1.0, 3.0, 30.0}) {
+      Given given(slow);
+      double x = 0.0, speed = 0.0, gone = 0.0;
+      const auto told_at = [](double time) { return time < 0.0 ? 0.0 : time < 2.0 ? 0.5 : time < 3.0 ? -0.2 : 0.0; };
+      for (int i = 0; i <= 1000; ++i) {
+        const double time = 0.005 * i, most = 0.005 * quickness * slow.linear_deceleration;
+        if (i % 4 == 0) given.note({told_at(time), 0.0, 0.0}, 1.0 + time);
+        speed += std::clamp(told_at(time - delay) - speed, -most, most);
+        x += 0.005 * speed, gone += 0.005 * std::abs(speed);
+        const Whereabouts there = given.whereabouts_at(1.0 + time + 0.005);
+        double off = 0.01;
+        for (const Pose2& other : there.or_else) off = std::max(off, std::abs(other.place.x - there.pose.place.x));
+        EXPECT_LT(off, 0.3);
+        EXPECT_NEAR(x, there.pose.place.x, off + there.drift * gone) << "at " << time << " s, delay " << delay;
+      }
+    }
+  }
+}
+
+/// A process that was stopped says nothing, and who hears nothing may stand or go on.
+TEST(Given, WhoIsToldNothingMayHaveStoodSince) {
+  Given given(slow);
+  for (int i = 0; i <= 50; ++i) given.note({0.2, 0.0, 0.0}, 1.0 + 0.02 * i);
+  const Whereabouts there = given.whereabouts_at(7.0);
+  double least = 9.0, most = 0.0;
+  for (const Pose2& one : there.or_else) least = std::min(least, one.place.x), most = std::max(most, one.place.x);
+  EXPECT_NEAR(least, 0.3, 0.02);
+  EXPECT_NEAR(most, 1.2, 1e-6);
+}
+
 TEST(Command, IsScaledAsAWhole) {
   Command command;
   command.linear = {0.4, -0.2, 0.0};

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "pose.hpp"
+
+namespace safety_control_cloud {
+
+/// Where the robot is, in a frame that rests.
+struct Whereabouts {
+  Pose2 pose;
+  std::vector<Pose2> or_else = {};  ///< where it may be instead: the true one lies among all of them
+  double drift = 0.0;               ///< [m/m], [rad/rad] by which the way there may be off
+};
+
+}  // namespace safety_control_cloud
