@@ -125,15 +125,33 @@ void OutOfSight::keep(std::size_t sensor, const Point2& place, float height, dou
   if (found == places_.end() && places_.size() >= most) return;
   Place kept{
       static_cast<float>(place.x), static_cast<float>(place.y), height, now, now, drifted_, turned_, sensor, look_};
-  if (found == places_.end()) {
-    places_.emplace(key, kept);
+  if (found != places_.end()) {
+    kept.first_seen = found->second.first_seen;
+    kept.looks = looks_of(found->second);
+    found->second = kept;
     return;
   }
-  const Place& before = found->second;
+  kept.looks = looks_beside(place, height);
+  places_.emplace(key, kept);
+}
+
+/// A thin thing before a noisy sensor is seen in another cell by each look.
+std::uint8_t OutOfSight::looks_beside(const Point2& place, double height) const {
+  std::uint8_t looks = 1;
+  for (const double ahead : {0.0, 1.0, -1.0, 2.0, -2.0}) {
+    for (const double left : {0.0, 1.0, -1.0, 2.0, -2.0}) {
+      const auto beside = places_.find(key_of(place + cell * Point2{ahead, left}, height));
+      if (beside != places_.end()) looks = std::max(looks, looks_of(beside->second));
+      if (looks == believed) return looks;
+    }
+  }
+  return looks;
+}
+
+/// Of a place that the present look shows too.
+std::uint8_t OutOfSight::looks_of(const Place& before) const {
   const int looks = before.looks + (before.look == look_ ? 0 : 1);
-  kept.first_seen = before.first_seen;
-  kept.looks = static_cast<std::uint8_t>(std::min<int>(looks, believed));
-  found->second = kept;
+  return static_cast<std::uint8_t>(std::min<int>(looks, believed));
 }
 
 /// Where nobody knows quite where the robot is, only what would be shown wherever that is.

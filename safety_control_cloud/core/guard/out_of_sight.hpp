@@ -38,7 +38,8 @@ struct OutOfSightLimits {
 
 /// What came near the robot and no sensor shows any more: beside it, behind it, in its blind zone. Kept as places in a
 /// frame that rests, in which somebody says where the robot is, each until a sensor sees what is behind it, or has seen
-/// nothing there for a while where it could, or until its time is over. A place counts once two looks have shown it.
+/// nothing there for a while where it could, or until its time is over. A place counts once two looks have shown it, or
+/// one beside it.
 class OutOfSight {
  public:
   explicit OutOfSight(OutOfSightLimits limits) : limits_(std::move(limits)) {}
@@ -103,6 +104,8 @@ class OutOfSight {
   void travel(const Whereabouts& robot);
   void keep_near(std::size_t sensor, const Look& look, const Pose2& pose, double now);
   void keep(std::size_t sensor, const Point2& place, float height, double now);
+  std::uint8_t looks_of(const Place& before) const;
+  std::uint8_t looks_beside(const Point2& place, double height) const;
   void drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Whereabouts& robot, double now);
   bool has_gone(Place& place, AtPlace seen, bool is_measured, double now) const;
 
