@@ -105,10 +105,11 @@ def test_comparing_two_settings_shows_where_they_differ_and_how_to_look(tmp_path
     (tmp_path / "a.yaml").write_text("danger_distance: 0.5\n")
     (tmp_path / "b.yaml").write_text("danger_distance: 0.85\n")
 
-    result = judge(drives / "0.bag", "--out", tmp_path / "out", "--compare", tmp_path / "a.yaml", tmp_path / "b.yaml")
+    result = judge(drives / "0.bag", "--out", tmp_path / "out", "--param", "x_max=1.9", "--compare", tmp_path / "a.yaml", tmp_path / "b.yaml")
 
     assert "0.bag /camera/depth/points cloud" in result.stdout and "Warning, SEEN, 0.1 m/s -> Danger, SEEN, 0 m/s" in result.stdout
     command = next(line for line in result.stdout.splitlines() if line.strip().startswith("scripts/replay")).split()
+    assert command[-4:] == ["--settings", str(tmp_path / "b.yaml"), "--param", "x_max=1.9"]
     shown = subprocess.run([sys.executable, "-m", "safety_control_cloud.replay", *command[1:]], capture_output=True, text=True, timeout=60)
     assert shown.returncode == 0 and "Danger" in shown.stdout
 

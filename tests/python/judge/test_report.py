@@ -36,7 +36,7 @@ def page(tmp_path_factory) -> Path:
         (folder / f"{name}.yaml").write_text(f"danger_distance: {distance}\n")
     result = subprocess.run(
         [sys.executable, "-m", "safety_control_cloud.judge", bags, "--out", folder / "out", "--report", folder / "page",
-         "--compare", folder / "now.yaml", folder / "wider.yaml"], capture_output=True, text=True, timeout=300)
+         "--param", "min_points=4", "--compare", folder / "now.yaml", folder / "wider.yaml"], capture_output=True, text=True, timeout=300)
     assert result.returncode == 1 and "report:" in result.stdout, result.stderr
     return folder / "page" / "index.html"
 
@@ -58,7 +58,7 @@ def test_the_page_has_bags_causes_distances_calls_and_changes(page):
     calls = [float(found) for found in re.findall(r">(\d\.\d{3}) m, (?:Safe|Warning|Danger)", text.split("<h2>")[4])]
     assert calls == sorted(calls) and calls[0] == pytest.approx(0.5)
     commands = re.findall(r"<code>scripts/replay (.*?)</code>", text)
-    assert commands and all("--around" in command and "--settings" in command for command in commands)
+    assert commands and all("--around" in command and "--settings" in command and "--param min_points=4" in command for command in commands)
 
 
 @pytest.mark.skipif(CHROMIUM is None, reason="no chromium")

@@ -2,13 +2,14 @@
 """What another setting would have changed: the clouds of the same bags that two settings decide differently."""
 from __future__ import annotations
 
-import shlex
+import argparse
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Dict, Iterator, List, Optional, Sequence, Tuple
 
 import pyarrow.parquet as pq
 
+from safety_control_cloud.judge.replay_line import replay_line
 from safety_control_cloud.judge.rows import BagRow
 from safety_control_cloud.judge.store import Store
 
@@ -36,10 +37,9 @@ class Difference:
         zones = [one and one["zone"] for one in (self.before, self.after)]
         return -abs(float(speeds[0]) - float(speeds[1])), zones[0] == zones[1]
 
-    def command(self, settings: str) -> str:
-        """What shows it."""
-        words = ("scripts/replay", self.path, "--topic", self.topic, "--settings", settings, "--around", str(self.number))
-        return " ".join(map(shlex.quote, words))
+    def command(self, given: argparse.Namespace) -> str:
+        """What shows it by the second settings."""
+        return replay_line(self.path, given, 1, "--topic", self.topic, "--around", str(self.number))
 
 
 def differences(store: Store, rows: Sequence[BagRow], before: str, after: str) -> List[Difference]:

@@ -84,7 +84,7 @@ def told(differences: Sequence[Difference], given: argparse.Namespace) -> List[s
     for one in differences[:SHOWN]:
         before, after = (_short(verdict) for verdict in (one.before, one.after))
         clouds = f"cloud {one.number}" if one.length == 1 else f"clouds {one.number} to {one.number + one.length - 1}"
-        lines += [f"{one.path} {one.topic} {clouds}: {before} -> {after}", f"    {one.command(str(given.compare[1]))}"]
+        lines += [f"{one.path} {one.topic} {clouds}: {before} -> {after}", f"    {one.command(given)}"]
     return lines
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import shlex
 from typing import Any, Dict, List, Sequence
 
 from rich.table import Table
@@ -11,6 +10,7 @@ from rich.text import Text
 
 from safety_control_cloud.judge.guard.compare import GIVEN, Difference
 from safety_control_cloud.judge.guard.rows import GuardedBag
+from safety_control_cloud.judge.replay_line import replay_line
 from safety_control_cloud.judge.say import SHOWN, bags_of, empty_table, errors_of, why
 
 FIGURES = ("commands", "passed", "scaled", "stopped", "first [s]", "differs [s]", "stopped [s]")
@@ -50,15 +50,12 @@ def told(differences: Sequence[Difference], given: argparse.Namespace) -> List[s
 
 def command(path: str, given: argparse.Namespace, place: int = 1) -> str:
     """What shows a bag by the settings, of two by the one at that place."""
-    settings = given.compare[place] if given.compare else given.settings
-    words = ["scripts/replay", path, "--mode", "guard", *(["--settings", str(settings)] if settings else [])]
-    for name, value in given.param:
-        words += ["--param", f"{name}={value}"]
+    more = ["--mode", "guard"]
     for topic in given.topic:
-        words += ["--topic", topic]
+        more += ["--topic", topic]
     for option, topic in (("--cmd-vel", given.cmd_vel), ("--odom", given.odom)):
-        words += [option, topic] if topic else []
-    return " ".join(map(shlex.quote, words))
+        more += [option, topic] if topic else []
+    return replay_line(path, given, place, *more)
 
 
 def short(said: Dict[str, Any]) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import shlex
 from html import escape
 from pathlib import Path
 from typing import Any, Dict, List, Optional, Sequence, Tuple
@@ -14,6 +13,7 @@ from safety_control_cloud.judge.report.charts import COLOURS, histogram
 from safety_control_cloud.judge.report.facts import Call, Facts, facts_of
 from safety_control_cloud.judge.report.page import BAGS, CHANGES, bars, names_of, table, write_page
 from safety_control_cloud.judge.report.pictures import picture_of
+from safety_control_cloud.judge.replay_line import replay_line
 from safety_control_cloud.judge.rows import BagRow
 from safety_control_cloud.judge.say import summary_of
 from safety_control_cloud.judge.store import Store
@@ -25,14 +25,14 @@ def write_report(
 ) -> Path:
     """`judged_by`: hash and settings, one or two. Gives the path of the page. Raises OSError."""
     names, parts = names_of(given), []
-    for name, (number, settings) in dict(zip(names, judged_by)).items():
+    for place, (name, (number, settings)) in enumerate(dict(zip(names, judged_by)).items()):
         its = [row for row in rows if row.settings == number]
         facts = facts_of(store, its, number)
         parts.append(f"<h2>{escape(name)}</h2><p>{escape(summary_of(its))}</p>")
         parts += [_bags(its), "<h2>Zones over time</h2>", _timelines(facts, its), "<h2>Distance of the nearest obstacle</h2>",
-                  histogram(facts.histogram), "<h2>The nearest calls</h2>", _calls(facts.calls, settings, name if given.compare or given.settings else None)]
+                  histogram(facts.histogram), "<h2>The nearest calls</h2>", _calls(facts.calls, settings, given, place)]
     if changes is not None:
-        parts.append(_changes(changes, names))
+        parts.append(_changes(changes, given, names))
     return write_page(given, parts)
 
 
@@ -56,22 +56,20 @@ def _timelines(facts: Facts, rows: Sequence[BagRow]) -> str:
     return bars(facts.stretches, sorted(rows, key=lambda row: (-row.zones.get("Danger", 0), row.path)))
 
 
-def _calls(calls: Sequence[Call], settings: core.Settings, file: Optional[str]) -> str:
-    return f'<div class="calls">{"".join(_call(call, settings, file) for call in calls)}</div>'
+def _calls(calls: Sequence[Call], settings: core.Settings, given: argparse.Namespace, place: int) -> str:
+    return f'<div class="calls">{"".join(_call(call, settings, given, place) for call in calls)}</div>'
 
 
-def _call(call: Call, settings: core.Settings, file: Optional[str]) -> str:
+def _call(call: Call, settings: core.Settings, given: argparse.Namespace, place: int) -> str:
     row, picture = call.row, picture_of(call, settings)
     shown = f'<img alt="what the camera saw" src="{picture}">' if picture else "<p>(the bag is not to be had from here)</p>"
-    words = ["scripts/replay", call.path, "--topic", row["topic"], "--around", str(row["number"])]
-    words += ["--settings", file] if file else []
-    command = " ".join(map(shlex.quote, words))
+    command = replay_line(call.path, given, place, "--topic", row["topic"], "--around", str(row["number"]))
     return (f'<div class="call">{shown}<p><span class="zone" style="color:{COLOURS[row["zone"]]}">{row["nearest"]:.3f} m, '
             f'{row["zone"]}, {row["cause"]}</span>, {row["speed"]:g} m/s: {escape(row["reason"])}</p>'
             f"<p>{escape(call.path)} cloud {row['number']}</p><p><code>{escape(command)}</code></p></div>")
 
 
-def _changes(changes: Sequence[Difference], names: Sequence[str]) -> str:
+def _changes(changes: Sequence[Difference], given: argparse.Namespace, names: Sequence[str]) -> str:
     clouds = sum(one.length for one in changes)
     lines: List[str] = []
     for one in changes[:CHANGES]:
@@ -79,7 +77,7 @@ def _changes(changes: Sequence[Difference], names: Sequence[str]) -> str:
         last = one.number + one.length - 1
         numbers = str(one.number) if one.length == 1 else f"{one.number} to {last}"
         lines.append(f'<tr><td>{escape(one.path)}</td><td>{numbers}</td>{said}'
-                     f'<td class="text"><code>{escape(one.command(names[1]))}</code></td></tr>')
+                     f'<td class="text"><code>{escape(one.command(given))}</code></td></tr>')
     return (f"<h2>What changes</h2><p>{clouds:,} clouds and silences are decided differently.</p>"
             + table("changes", ("bag", "clouds", *names, "to look at it"), lines, CHANGES))
 
