@@ -200,9 +200,10 @@ std::optional<Known> GuardControl::remembered_at(const Instant& now, const std::
   known.law = sensors_.front().law();
   known.law.min_points = 1;
   remembered_ = out_of_sight_.rings(*robot, guard_.reach(0.0, known.law), now.steady, shows);
-  // What the margin is kept for: half of it for where things are, the rest for what the robot does.
+  // What the margin is kept for: half of it for where things are, the rest for what the robot does. What decides is the
+  // nearest of many returns, not one of min_points as in a picture, and lies nearer than the thing by the noise.
   for (Ring& ring : remembered_)
-    ring.obstacles.widening = std::max(0.0, ring.obstacles.widening - 0.5 * settings_.margin);
+    ring.obstacles.widening = std::max(-known.law.noise, ring.obstacles.widening - 0.5 * settings_.margin);
   known.rings = &remembered_;
   known.ways = {Pose2{}};
   known.is_reckoned = !by_odometry_;
