@@ -11,13 +11,16 @@ def main() -> int:
     given = arguments()
     from measuring import bench  # after the arguments: --help needs Python alone
 
-    from safety_control_cloud.processes import end_on_sigterm
+    from safety_control_cloud.processes import ProcessError, end_on_sigterm
 
     end_on_sigterm()
     try:
         bench(given)
     except KeyboardInterrupt:
         return INTERRUPTED
+    except ProcessError as error:
+        print(f"bench: {error}", file=sys.stderr)
+        return 1
     return 0
 
 

@@ -20,7 +20,7 @@ from safety_control_cloud.ros_session import PACKAGE, executable_of
 SIDES = ("ours", "floor", "nodelet")
 COMMANDS_A_CLOUD = 5
 NODE = "/safety_control_cloud"
-PARAMETERS = {
+PARAMETERS: Dict[str, Any] = {
     "mode": "guard",
     "sensors": [
         {"name": "front", "type": "cloud", "topic": "front/points"},
@@ -52,23 +52,37 @@ def measure(plan: Plan, done: Callable[[], None]) -> Table:
 
 
 @contextmanager
-def parameters() -> Iterator[None]:
-    """Of the guard, on the master for as long."""
+def parameters(values: Mapping[str, Any] = {NODE: PARAMETERS}) -> Iterator[None]:
+    """On the master for as long."""
     master = rosgraph.Master("/bench")
-    for name, value in PARAMETERS.items():
-        master.setParam(f"{NODE}/{name}", value)
+    for name, value in values.items():
+        master.setParam(name, value)
     try:
         yield
     finally:
-        master.deleteParam(NODE)
+        for name in values:
+            master.deleteParam(name)
+
+
+def commands_of(side: str) -> List[List[str]]:
+    """What guards, in a process of its own; a nodelet does in the driver's."""
+    guards = {"floor": [str(PROGRAMS / "floor_node"), "guard"], "ours": [executable_of(PACKAGE, "safety_control_node")]}
+    return [guards[side]] if side in guards else []
 
 
 def drive(side: str, commands: int) -> Mapping[str, Any]:
-    guards = {"floor": [str(PROGRAMS / "floor_node"), "guard"], "ours": [executable_of(PACKAGE, "safety_control_node")]}
+    met = driven(commands_of(side), commands, len(PARAMETERS["sensors"]))
+    if met["said"] > 1.1 * commands + 10:
+        raise ProcessError(f"of {met['said']} commands that are safe only {commands} were passed")
+    return met
+
+
+def driven(guards: Sequence[Sequence[str]], commands: int, sensors: int) -> Mapping[str, Any]:
+    """What the driver says of so many commands, with the first so many sensors: guard_drive.cpp."""
     with ExitStack() as stack:
-        nodes = [stack.enter_context(process(guards[side]))] if side in guards else []
-        ids = [str(node.pid) for node in nodes]
-        driver = stack.enter_context(process([str(PROGRAMS / "guard_drive"), str(commands), *ids]))
+        nodes = [stack.enter_context(process(guard)) for guard in guards]
+        numbers = [str(number) for number in (commands, sensors, *(node.pid for node in nodes))]
+        driver = stack.enter_context(process([str(PROGRAMS / "guard_drive"), *numbers]))
         code = driver.wait(commands / 50.0 + PATIENCE)
         lines = [line for line in driver.output().splitlines() if line.startswith("{")]
         if code != 0 or not lines:
@@ -76,11 +90,14 @@ def drive(side: str, commands: int) -> Mapping[str, Any]:
     return json.loads(lines[-1])
 
 
+def p99(latencies: Sequence[float]) -> float:
+    return sorted(latencies)[ceil(0.99 * len(latencies)) - 1]
+
+
 def cost_of(met: Sequence[Mapping[str, Any]]) -> Cost:
-    latencies = sorted(latency for one in met for latency in one["latency_ms"])
     return Cost(
         latency_ms=timing_of([timing_of(one["latency_ms"]).median for one in met]),
-        latency_p99_ms=latencies[ceil(0.99 * len(latencies)) - 1],
+        latency_p99_ms=p99([latency for one in met for latency in one["latency_ms"]]),
         cpu_share=timing_of([one["cpu_share"] for one in met]),
     )
 

@@ -13,6 +13,8 @@ import instructions
 import judge
 import kernel
 import nodes
+import peer
+import peer_build
 import workers
 from repetitions import Plan
 from rich.console import Console
@@ -21,7 +23,7 @@ from rich.table import Table
 
 from safety_control_cloud.ros_session import roscore
 
-PARTS = {"kernel": kernel, "nodes": nodes, "depth": depth, "cameras": cameras, "guard": guard, "judge": judge, "workers": workers}
+PARTS = {"kernel": kernel, "nodes": nodes, "depth": depth, "cameras": cameras, "guard": guard, "peer": peer, "judge": judge, "workers": workers}
 Figures = Dict[str, Dict[str, float]]
 MEANINGS = {
     "kernel_vs_read": "a look / only reading the bytes, a fresh cloud of VGA or more",
@@ -44,6 +46,10 @@ MEANINGS = {
     "guard_latency_p99_ms": "the same, of a hundred the slowest",
     "guard_nodelet_latency_ms": "the same inside one process",
     "guard_cpu_vs_floor": "CPU of the guard / of a node that hears the same and passes all",
+    "peer_cpu_vs_guard": "CPU a VGA cloud, safety_limiter / the guard; more is better",
+    "peer_cpu_vs_guard_above_floor": "the same, each less a node that passes all; more is better",
+    "guard_vga_p99_ms": "command to answer, the guard with one VGA camera, of a hundred the slowest [ms]",
+    "peer_p99_ms": "the same, safety_limiter",
     "judge_vs_read": "CPU a cloud of a bag, judged / only read by rosbags",
     "judge_memory_growth": "memory of the judge, a bag twice as long / one",
     "judge_two_workers": "clouds judged a second, by two worker processes / by one; more is better",
@@ -54,12 +60,14 @@ MEANINGS = {
 
 def plan_of(given: Namespace) -> Plan:
     repetitions, clouds = (2, 20) if given.quick else (3, 50)
-    return Plan(given.quick, given.repetitions or repetitions, given.clouds or clouds, not given.without_highway)
+    beside = peer_build.program_of(given.peer) if given.peer else None
+    return Plan(given.quick, given.repetitions or repetitions, given.clouds or clouds, not given.without_highway, beside)
 
 
 def parts_of(given: Namespace) -> Sequence[str]:
-    only = given.only or list(PARTS)
-    return [name for name in PARTS if name in only or name == "workers" and "judge" in only]
+    only = given.only or [name for name in PARTS if name != "peer"]
+    with_it = {"workers": "judge" in only, "peer": given.peer is not None}
+    return [name for name in PARTS if name in only or with_it.get(name)]
 
 
 def measure(parts: Sequence[str], plan: Plan) -> Dict[str, Any]:

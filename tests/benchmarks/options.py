@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What to measure, by the command line; needs Python alone."""
 import argparse
+from typing import Optional, Sequence
+
+from peer_checkout import checkout_of
 
 from safety_control_cloud.view.options import writable
 
@@ -15,7 +18,8 @@ Every repetition runs every case once. A figure is the median of its repetitions
 median. "worst" and "median" in the JSON are of all cases."""
 
 
-def arguments() -> argparse.Namespace:
+def arguments(words: Optional[Sequence[str]] = None) -> argparse.Namespace:
+    """Of these words, or of the command line."""
     parser = argparse.ArgumentParser(
         prog="scripts/bench", description="Measures what a decision costs, and beside what.", epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -25,11 +29,16 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--only", choices=PARTS, action="append", help="this part; may be repeated")
     parser.add_argument("--repetitions", type=int, metavar="N", help="of every case; medians are shown (3, quick: 2)")
     parser.add_argument("--clouds", type=int, metavar="N", help="through processes, a repetition (50, quick: 20)")
+    parser.add_argument("--peer", type=checkout_of, metavar="PATH",
+                        help="beside the guard, safety_limiter from your checkout of at-wat/neonavigation there and of neonavigation_msgs, "
+                             "as in a workspace's src; needs --only guard")
     parser.add_argument("--without-highway", action="store_true", help="the kernel as it is where Highway is not installed; --only kernel")
     parser.add_argument("--store-instructions", action="store_true", help="hold the kernel to today's from now on")
-    given = parser.parse_args()
+    given = parser.parse_args(words)
     if given.without_highway and given.only != ["kernel"]:
         parser.error("--without-highway needs --only kernel")
+    if given.peer and "guard" not in (given.only or ()):
+        parser.error("--peer needs --only guard")
     if given.plot and (given.quick or given.only):
         parser.error("--plot needs a full run")
     return given

@@ -2,8 +2,9 @@
 """Measuring several things in turn, and what several measurements of one thing come to."""
 from collections import defaultdict
 from dataclasses import dataclass
+from pathlib import Path
 from statistics import median
-from typing import Callable, Dict, Hashable, Iterable, List, Sequence, TypeVar
+from typing import Callable, Dict, Hashable, Iterable, List, Optional, Sequence, TypeVar
 
 Case = TypeVar("Case", bound=Hashable)
 Result = TypeVar("Result")
@@ -17,6 +18,7 @@ class Plan:
     repetitions: int
     clouds: int  # of one repetition, where processes exchange them
     highway: bool = True  # in the kernel, if it is installed
+    peer: Optional[Path] = None  # safety_limiter's program, to be measured beside the guard
 
 
 def in_turn(

@@ -8,6 +8,7 @@ from pathlib import Path
 import exchange
 import guard
 import nodes
+import peer
 import pytest
 import rosgraph
 
@@ -60,7 +61,13 @@ def test_the_guard_answers_every_command_beside_two_cameras_and_a_laser(master, 
     with guard.parameters():
         met = guard.drive(side, CLOUDS * guard.COMMANDS_A_CLOUD)
     assert len(met["latency_ms"]) == CLOUDS * guard.COMMANDS_A_CLOUD and min(met["latency_ms"]) > 0.0
-    assert (met["cpu_share"] > 0.0) == (side != "nodelet")
+    assert (met["cpu_share"] > 0.0) == (met["cpu_ms"] > 0.0) == (side != "nodelet")
+
+
+def test_the_guard_answers_every_command_beside_one_camera_too(master):
+    with guard.parameters({guard.NODE: peer.CAMERA}):
+        met = guard.driven(guard.commands_of("ours"), CLOUDS * guard.COMMANDS_A_CLOUD, sensors=1)
+    assert len(met["latency_ms"]) == CLOUDS * guard.COMMANDS_A_CLOUD <= met["said"]
 
 
 @pytest.mark.slow
