@@ -9,23 +9,14 @@ namespace safety_control_cloud {
 Cells::Cells(double extent, double cell)
     : extent_(static_cast<float>(extent)),
       per_metre_(static_cast<float>(1.0 / cell)),
-      side_(static_cast<std::size_t>(std::ceil(2.0 * extent / cell)) + 1),
-      boxes_(side_ * side_) {
+      side_(static_cast<std::int32_t>(std::ceil(2.0 * extent / cell)) + 1),
+      boxes_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_)) {
   used_.reserve(boxes_.size());
 }
 
-void Cells::add(float x, float y) {
-  const auto column = static_cast<std::size_t>((x + extent_) * per_metre_);
-  const auto row = static_cast<std::size_t>((y + extent_) * per_metre_);
-  const std::size_t index = std::min(row, side_ - 1) * side_ + std::min(column, side_ - 1);
-  Box& box = boxes_[index];
-  if (box.count++ == 0) {
-    box = {x, x, y, y, 1};
-    used_.push_back(static_cast<std::uint32_t>(index));
-    return;
-  }
-  box.x_min = std::min(box.x_min, x), box.x_max = std::max(box.x_max, x);
-  box.y_min = std::min(box.y_min, y), box.y_max = std::max(box.y_max, y);
+void Cells::begin(Box& box, std::uint32_t index, float x, float y) {
+  box = {x, x, y, y, 1};
+  used_.push_back(index);
 }
 
 void Cells::clear() {

@@ -40,26 +40,28 @@ Surroundings::Surroundings(const Outline& outline, Band band)
   for (const Cells& cells : cells_) rings_.push_back({cells.extent(), {}});
 }
 
-void Surroundings::look(const View& view, const Outlook& outlook) {
-  for (Cells& cells : cells_) cells.clear();
-  const Outlook all = around(outlook, band_, cells_.back().extent());
-  choose_inside(view, all, [&](const Chosen& inside, const Run& run) {
-    for_each_of(inside, run, [&](float x, float y, float z) { add(outlook.placed(x, y, z)); });
-  });
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
-    Obstacles& obstacles = rings_[i].obstacles;
-    cells_[i].write(obstacles);
-    rings_[i].returns = std::accumulate(obstacles.counts.begin(), obstacles.counts.end(), std::size_t{0});
-  }
-}
-
-void Surroundings::add(const Point& placed) {
-  const float forward = placed.z, left = -placed.x, up = -placed.y;
+inline void Surroundings::add(float forward, float left, float up) {
   if (up < bottom_ || up > top_ || is_own(band_.self, forward, left, up)) return;
   for (Cells& cells : cells_) {
     if (!cells.holds(forward, left)) continue;
     cells.add(forward, left);
     return;
+  }
+}
+
+void Surroundings::look(const View& view, const Outlook& outlook) {
+  for (Cells& cells : cells_) cells.clear();
+  const Outlook all = around(outlook, band_, cells_.back().extent());
+  choose_inside(view, all, [&](const Chosen& inside, const Run& run) {
+    for_each_of(inside, run, [&](float x, float y, float z) {
+      const Point placed = outlook.placed(x, y, z);
+      add(placed.z, -placed.x, -placed.y);
+    });
+  });
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    Obstacles& obstacles = rings_[i].obstacles;
+    cells_[i].write(obstacles);
+    rings_[i].returns = std::accumulate(obstacles.counts.begin(), obstacles.counts.end(), std::size_t{0});
   }
 }
 

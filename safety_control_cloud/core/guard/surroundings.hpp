@@ -38,8 +38,8 @@ class Surroundings {
   const std::vector<Ring>& rings() const { return rings_; }
 
  private:
-  /// A return in base_frame's optical axes, if it counts.
-  void add(const Point& placed);
+  /// A return in base_frame, if it counts.
+  void add(float forward, float left, float up);
 
   Band band_;
   float bottom_, top_;  ///< the band's
