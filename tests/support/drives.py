@@ -11,8 +11,8 @@ from typing import Any, Callable, Dict, Sequence, Tuple
 import numpy as np
 from PIL import Image as Picture
 from recordings import CLOUD, FRAME, MadeCloud, cloud_message, wall_at
+from ros2_bags import SQLITE, names_of, ros2_writer
 from rosbags.rosbag1 import Writer as Ros1Writer
-from rosbags.rosbag2 import StoragePlugin, Writer as Ros2Writer
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
 SECOND = 10**9
@@ -75,7 +75,7 @@ def camera(time: float, width: int, height: int, focal: float, late: float = 0.0
     k = [focal, 0, width / 2 - 0.5, 0, focal, height / 2 - 0.5, 0, 0, 1]
 
     def make(store: Any) -> Any:
-        names = "DKRP" if "K" in {name for name, _ in store.fielddefs[INFO][1]} else "dkrp"
+        names = "DKRP" if "K" in names_of(store, INFO) else "dkrp"
         values = (np.zeros(5), np.array(k), np.eye(3).ravel(), np.array([*k[:3], 0, *k[3:6], 0, *k[6:], 0]))
         roi = store.types["sensor_msgs/msg/RegionOfInterest"](0, 0, 0, 0, False)
         return store.types[INFO](
@@ -98,7 +98,7 @@ def placed(time: float, at: Sequence[float], turn: Sequence[float], static: bool
 def header(store: Any, time: float, frame: str = FRAME) -> Any:
     types = store.types
     stamp = types["builtin_interfaces/msg/Time"](*divmod(START + round(time * SECOND), SECOND))
-    seq = {"seq": 0} if "seq" in {name for name, _ in store.fielddefs["std_msgs/msg/Header"][1]} else {}
+    seq = {"seq": 0} if "seq" in names_of(store, "std_msgs/msg/Header") else {}
     return types["std_msgs/msg/Header"](stamp=stamp, frame_id=frame, **seq)
 
 
@@ -117,10 +117,10 @@ def write_drive(path: Path, records: Sequence[Record]) -> Path:
     return path
 
 
-def write_drive2(path: Path, records: Sequence[Record], storage: StoragePlugin = StoragePlugin.SQLITE3) -> Path:
+def write_drive2(path: Path, records: Sequence[Record], storage: str = SQLITE) -> Path:
     """The same as a ROS 2 bag; who sent is lost."""
     store, connections = get_typestore(Stores.ROS2_HUMBLE), {}  # type: Any, Dict[str, Any]
-    with Ros2Writer(path, version=9, storage_plugin=storage) as writer:
+    with ros2_writer(path, storage) as writer:
         for record in sorted(records, key=lambda record: record.time):
             if record.topic not in connections:
                 connections[record.topic] = writer.add_connection(record.topic, record.kind, typestore=store)

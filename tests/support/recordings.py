@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any, Dict, Sequence
 
 import numpy as np
+from ros2_bags import MCAP, SQLITE, names_of, ros2_writer
 from rosbags.rosbag1 import Writer as Ros1Writer
-from rosbags.rosbag2 import StoragePlugin, Writer as Ros2Writer
 from rosbags.typesys import Stores, get_typestore
 
 TOPIC = "/camera/depth/points"
@@ -55,17 +55,17 @@ def write_ros1(path: Path, clouds: Dict[str, Sequence[MadeCloud]]) -> Path:
 
 def write_ros2(path: Path, clouds: Dict[str, Sequence[MadeCloud]]) -> Path:
     """The same as a ROS 2 bag (a folder), stored in SQLite."""
-    return _write_ros2(Ros2Writer(path, version=9), path, clouds)
+    return _write_ros2(path, clouds, SQLITE)
 
 
 def write_mcap(path: Path, clouds: Dict[str, Sequence[MadeCloud]]) -> Path:
     """The same as a ROS 2 bag (a folder), stored as MCAP."""
-    return _write_ros2(Ros2Writer(path, version=9, storage_plugin=StoragePlugin.MCAP), path, clouds)
+    return _write_ros2(path, clouds, MCAP)
 
 
-def _write_ros2(opened: Ros2Writer, path: Path, clouds: Dict[str, Sequence[MadeCloud]]) -> Path:
+def _write_ros2(path: Path, clouds: Dict[str, Sequence[MadeCloud]], storage: str) -> Path:
     store = get_typestore(Stores.ROS2_HUMBLE)
-    with opened as writer:
+    with ros2_writer(path, storage) as writer:
         for topic, made in clouds.items():
             connection = writer.add_connection(topic, CLOUD, typestore=store)
             for cloud in made:
@@ -86,7 +86,7 @@ def write_without_clouds(path: Path) -> Path:
 def cloud_message(cloud: MadeCloud, store: Any, seq: int = 0) -> Any:
     """As the typestore's ROS has it: ROS 1 numbers its messages."""
     types = store.types
-    numbered = {"seq": seq} if "seq" in {name for name, _ in store.fielddefs["std_msgs/msg/Header"][1]} else {}
+    numbered = {"seq": seq} if "seq" in names_of(store, "std_msgs/msg/Header") else {}
     stamp = types["builtin_interfaces/msg/Time"](*divmod(cloud.stamp, 10**9))
     field = types["sensor_msgs/msg/PointField"]
     count = len(cloud.points)

@@ -15,7 +15,7 @@ from drives import SECOND, camera, depth, header, write_drive, write_drive2
 from guard_answers import SENSORS, told
 from guard_drives import BASE, at, camera_placed, commanded, driven_at_wall, hall_with_wall, laser_placed, moved, scan, touched
 from judge_rows import judged, rows_in
-from rosbags.rosbag2 import StoragePlugin
+from ros2_bags import MCAP
 
 from safety_control_cloud.judge.bag import Job, judge_bag
 from safety_control_cloud.replay.bags import opened
@@ -28,7 +28,7 @@ PLANAR = (("x", "linear", 0), ("y", "linear", 1), ("turn", "angular", 2))
 
 
 def write_mcap(path: Path, records: Sequence[Any]) -> Path:
-    return write_drive2(path, records, StoragePlugin.MCAP)
+    return write_drive2(path, records, MCAP)
 
 
 def stamped() -> List[Any]:

@@ -13,8 +13,8 @@ import pytest
 from drives import SECOND, START, write_drive, write_drive2
 from guard_answers import SENSORS, bits, numbers, replay, to_commands, told
 from guard_drives import SPEED, commanded, driven_at_wall, hall_with_wall, laser_placed, scan
+from ros2_bags import MCAP
 from rosbags.highlevel import AnyReader
-from rosbags.rosbag2 import StoragePlugin
 
 from safety_control_cloud import core
 
@@ -23,7 +23,7 @@ FEW = 2  # of 60 commands, where a millisecond decides between a little and noth
 
 
 def write_mcap(path: Path, records: List[Any]) -> Path:
-    return write_drive2(path, records, StoragePlugin.MCAP)
+    return write_drive2(path, records, MCAP)
 
 
 @pytest.mark.parametrize("write, name", [(write_drive, "drive.bag"), (write_drive2, "drive"), (write_mcap, "drive")])
