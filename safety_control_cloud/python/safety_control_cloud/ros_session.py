@@ -34,14 +34,17 @@ def node(executable: str, *arguments: str, package: str = PACKAGE) -> Iterator[P
 
 
 def executable_of(package: str, executable: str) -> str:
-    """The path that rosrun would run."""
+    """The path that rosrun would run. A workspace's own comes before what another build left in the package's folder."""
+    packages = rospkg.RosPack()
     try:
-        found = roslib.packages.find_node(package, executable)
+        found = [str(one) for one in roslib.packages.find_node(package, executable, packages)]
+        inside = os.path.join(packages.get_path(package), "")
     except rospkg.ResourceNotFound:
-        found = []
+        found, inside = [], ""
+    found = [one for one in found if not one.startswith(inside)] or found
     if len(found) != 1:
         raise ProcessError(f"{len(found)} executables {executable} in package {package}; is its setup.bash sourced?")
-    return str(found[0])
+    return found[0]
 
 
 @contextmanager
