@@ -7,6 +7,7 @@ import pytest
 from recordings import TOPIC, wall_at, write_mcap, write_ros1, write_ros2, write_without_clouds
 from sensor_msgs.msg import PointCloud2
 
+from safety_control_cloud.replay import bags
 from safety_control_cloud.replay.bags import BagError
 from safety_control_cloud.replay.recording import recording
 
@@ -33,6 +34,17 @@ def test_clouds_of_every_kind_of_bag_are_what_a_ros1_publisher_would_send(tmp_pa
         assert message.header.frame_id == "camera_depth_optical_frame"
         assert (message.width, message.point_step, [field.name for field in message.fields]) == (143, 12, list("xyz"))
         np.testing.assert_array_equal(np.frombuffer(message.data, np.float32).reshape(-1, 3), original.points)
+
+
+@pytest.mark.parametrize("write", [write_ros2, write_mcap])
+def test_a_file_of_a_ros2_bag_is_read_too_or_refused_with_what_to_give(tmp_path, monkeypatch, write):
+    (file,) = (one for one in write(tmp_path / "drive", {TOPIC: [wall_at(1.5, 1)]}).iterdir() if one.suffix != ".yaml")
+
+    if bags.OPENS_FILES:
+        assert [cloud.stamp for cloud in read(file)] == [1]
+    monkeypatch.setattr(bags, "OPENS_FILES", False)
+    with pytest.raises(BagError, match=f"{file.name}: .* read by its folder"):
+        read(file)
 
 
 def test_several_bags_are_one_recording_in_the_order_of_time(tmp_path):

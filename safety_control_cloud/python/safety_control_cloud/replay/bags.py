@@ -7,11 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Collection, Dict, Iterator, List, Optional, Sequence
 
+import rosbags.rosbag2
 from rosbags.highlevel import AnyReader
 from rosbags.typesys import Stores, get_typestore
 
 ENDINGS = (".bag", ".db3", ".mcap")
 METADATA = "metadata.yaml"  # what makes a folder a ROS 2 bag
+OPENS_FILES = hasattr(rosbags.rosbag2, "StoragePlugin")  # the last rosbags for Python 3.8 and 3.9 asks for the folder
 
 
 class BagError(ValueError):
@@ -126,6 +128,8 @@ def _reader(bags: Sequence[Path]) -> AnyReader:
         if bag.is_file() and bag.suffix not in ENDINGS:
             raise BagError(f"{bag}: not a bag; ROS 1 bags are files named *.bag, ROS 2 bags folders with {METADATA}, "
                            "*.mcap or *.db3")
+        if bag.is_file() and bag.suffix != ".bag" and not OPENS_FILES:
+            raise BagError(f"{bag}: with Python before 3.10 a ROS 2 bag is read by its folder, with {METADATA} in it")
     if len({bag.suffix == ".bag" for bag in bags}) > 1:
         raise BagError("ROS 1 and ROS 2 bags cannot be replayed together")
     try:
