@@ -16,6 +16,7 @@ from matplotlib.figure import Figure
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.patches import Circle, Rectangle
 
+from ..simulation.base import Pose
 from ..simulation.hull import BODY_RADIUS
 from ..zone_colours import DRAWN as ZONES
 from .outcome import Outcome, Truth
@@ -68,13 +69,19 @@ def _draw_plan(axes: Axes, scenario: Scenario, moments: Sequence[Truth]) -> None
             axes.add_patch(Circle((x, y), thing.size[0] / 2, color=colour))
         else:
             length, width, _ = thing.size
-            corner = (x - length / 2, y - width / 2)
-            axes.add_patch(Rectangle(corner, length, width, angle=degrees(thing.at.yaw), rotation_point=(x, y), color=colour))
+            axes.add_patch(box_about(Pose(x, y, thing.at.yaw), length, width, color=colour))
     axes.plot([moment.pose.x for moment in moments], [moment.pose.y for moment in moments], color=QUIET, lw=1)
     axes.add_patch(_corridor(now))
     axes.add_patch(Circle((now.pose.x, now.pose.y), BODY_RADIUS, color=ZONES[now.verdict.zone], alpha=0.8))
     axes.set(aspect="equal", xlim=(-0.6, 3.6), ylim=(-1.6, 1.6))
     axes.tick_params(labelsize=7)
+
+
+def box_about(centre: Pose, length: float, width: float, color: str) -> Rectangle:
+    """Turned about its centre: before 3.6 matplotlib turns it about its corner alone."""
+    cos, sin = np.cos(centre.yaw), np.sin(centre.yaw)
+    corner = (centre.x - (length * cos - width * sin) / 2, centre.y - (length * sin + width * cos) / 2)
+    return Rectangle(corner, length, width, angle=degrees(centre.yaw), color=color)
 
 
 def _corridor(now: Truth) -> Rectangle:

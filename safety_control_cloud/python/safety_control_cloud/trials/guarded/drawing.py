@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from math import cos, degrees, hypot, sin
+from math import cos, hypot, sin
 from pathlib import Path
 
 import matplotlib
@@ -15,10 +15,11 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
-from matplotlib.patches import Circle, Polygon, Rectangle as Box
+from matplotlib.patches import Circle, Polygon
 
 from ...simulation.base import Pose, Velocity
 from ...simulation.hull import BODY_RADIUS, Rectangle
+from ..drawing import box_about
 
 INK, GREY, BLUE, RED, WOOD = "#22303c", "#8795a1", "#1f5fa8", "#c0322b", "#9c6b3e"
 _STANDS_APART = 0.25  # [m] between two stops that are drawn
@@ -82,8 +83,7 @@ def _draw_plan(axes: Axes, spots: Sequence[Spot], blocks: Iterable[Block], hull:
         if one.round:
             axes.add_patch(Circle((one.x, one.y), one.length / 2, color=WOOD))
         else:
-            corner = (one.x - one.length / 2, one.y - one.width / 2)
-            axes.add_patch(Box(corner, one.length, one.width, angle=degrees(one.yaw), rotation_point=(one.x, one.y), color=WOOD))
+            axes.add_patch(box_about(Pose(one.x, one.y, one.yaw), one.length, one.width, color=WOOD))
     way = np.array([(spot.pose.x, spot.pose.y) for spot in spots])
     pieces = LineCollection(np.stack([way[:-1], way[1:]], axis=1), cmap="RdYlBu", linewidth=2)
     pieces.set_array(np.array([spot.factor for spot in spots[:-1]]))
