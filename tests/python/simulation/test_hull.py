@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the hull touches, by geometry, is what MuJoCo finds."""
+import mujoco
 import numpy as np
 import pytest
 
@@ -8,6 +9,9 @@ from safety_control_cloud.simulation.furniture import Place, Shape, Thing, furni
 from safety_control_cloud.simulation.hull import BODY_RADIUS, TOWER_RADIUS, distances, touched
 from safety_control_cloud.simulation.world import World
 from safety_control_cloud.simulation.world_files import world_file, world_names
+
+VERSION = tuple(int(part) for part in mujoco.__version__.split(".")[:2])
+PRECISION = 1e-5 if VERSION >= (3, 3) else 5e-3  # [m] 3.2.3, that of older Pythons, tells cylinders up to 4 mm too far apart
 
 
 def standing(z, half=0.05):
@@ -27,7 +31,7 @@ def test_the_hull_is_as_far_from_the_furniture_as_in_mujoco(name):
         ours = min([2.0, *(distance for _, distance in distances(furniture.things, pose))])
         nearer += theirs < 2.0
         if theirs > 0:
-            assert ours == pytest.approx(theirs, abs=1e-5), pose
+            assert ours == pytest.approx(theirs, abs=PRECISION), pose
         else:
             assert ours <= 0, pose
     assert name == "hall" or nearer > 30
