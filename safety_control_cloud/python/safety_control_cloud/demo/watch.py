@@ -20,6 +20,7 @@ from safety_control_cloud.msg import SafetyState
 from .record import Approach, Sample
 
 STANDS_FOR = 1.0  # [s] until the robot is believed to stand
+SLOW = 60.0  # [s] a simulator may take for an answer; a busy machine is slow, not broken
 SIMULATOR = "/turtlebot_sim"
 
 
@@ -45,10 +46,10 @@ class Watch:
 
     def reset(self) -> Odometry:
         """Put the robot at the world's start; returns where that is."""
-        rospy.wait_for_service(f"{SIMULATOR}/reset", timeout=30)
+        rospy.wait_for_service(f"{SIMULATOR}/reset", timeout=SLOW)
         rospy.ServiceProxy(f"{SIMULATOR}/reset", Empty)()
-        rospy.wait_for_message("/odom", Odometry, timeout=10)
-        return rospy.wait_for_message("/odom", Odometry, timeout=10)
+        rospy.wait_for_message("/odom", Odometry, timeout=SLOW)
+        return rospy.wait_for_message("/odom", Odometry, timeout=SLOW)
 
     def move_to(self, place: Odometry) -> None:
         """As rviz's "2D Pose Estimate" does."""
