@@ -3,6 +3,7 @@
 import os
 import shutil
 import subprocess
+import sysconfig
 from pathlib import Path
 
 import pytest
@@ -23,6 +24,13 @@ def has_gazebo():
     return True
 
 
+def prefixes(folder):
+    """Of CMake, with one by which Debian 11's nodelets are found: they are described as in lib/, and lie in lib/<machine>."""
+    (folder / "prefix").mkdir()
+    (folder / "prefix" / "lib").symlink_to(Path("/usr/lib") / (sysconfig.get_config_var("MULTIARCH") or ""))
+    return os.pathsep.join([*filter(None, [os.environ.get("CMAKE_PREFIX_PATH")]), str(folder / "prefix")])
+
+
 def parameters():
     without_gazebo = pytest.mark.skipif(not has_gazebo(), reason="gazebo_ros is not installed")
     for path in sorted(TESTS.rglob("*.test")):
@@ -35,7 +43,7 @@ def parameters():
 def test_rostest(path, tmp_path):
     result = subprocess.run(
         ["rostest", path],  # with --text it would exit with 0 whatever the tests say
-        env={**os.environ, "ROS_HOME": str(tmp_path), "ROS_LOG_DIR": str(tmp_path / "log")},
+        env={**os.environ, "ROS_HOME": str(tmp_path), "ROS_LOG_DIR": str(tmp_path / "log"), "CMAKE_PREFIX_PATH": prefixes(tmp_path)},
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,
