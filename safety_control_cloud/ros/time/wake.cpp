@@ -7,7 +7,8 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double shortest = 1e-3;  ///< [s] so that a timer that is due does not spin
+constexpr double shortest = 1e-3;     ///< [s] so that a timer that is due does not spin
+constexpr double longest_wait = 0.1;  ///< [s] in the queue; of what comes later nobody knows whether it will
 
 }  // namespace
 
@@ -20,8 +21,10 @@ Wake::Wake(ros::NodeHandle& handle, std::function<void()> call)
 
 void Wake::in(double seconds) {
   const double wait = std::max(seconds, shortest);
-  due_ = ros::SteadyTime::now() + ros::WallDuration(wait);
-  if (fires_.isZero() || due_ < fires_) set_timer(wait);
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  due_ = now + ros::WallDuration(wait);
+  const bool is_overdue = now - fires_ > ros::WallDuration(longest_wait);
+  if (fires_.isZero() || due_ < fires_ || is_overdue) set_timer(wait);
 }
 
 void Wake::on_timer() {
