@@ -256,6 +256,8 @@ const Guarded& GuardControl::answer(const Instant& now) {
   last_.sensor = allowed.sensor;
   last_.cause = allowed.cause;
   last_.reason = allowed.reason.empty() ? "the command is safe" : std::move(allowed.reason);
+  last_.hint = std::move(allowed.hint);
+  last_.in_view = allowed.in_view;
   last_.override_left = override_.left(now.steady);
   last_.sight = sight_of(last_.sensor);
   last_.stuck = meant && allowed.factor == 0.0 && !stands(in_plane(*wanted_));

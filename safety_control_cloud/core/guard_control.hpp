@@ -27,6 +27,8 @@ struct Guarded {
   std::string sensor;            ///< that decided; empty: none did
   Cause cause = Cause::NoCloud;
   std::string reason;
+  std::string hint;                 ///< what would free it, if it stands for what nobody sees any more
+  bool in_view = false;             ///< some sensor looks where what is wanted leads
   bool stuck = false;               ///< something is wanted and nothing is given
   double stuck_since = 0.0;         ///< [s, steady] if it is
   std::uint8_t open = 0;            ///< while it is: bits of the directions in which it may move (guard/directions.hpp)

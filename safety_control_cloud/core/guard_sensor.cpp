@@ -165,6 +165,7 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
   if (const auto* doubt = std::get_if<Doubt>(&sensor_.answer())) known.doubt = *doubt;
   if (auto lost = loss_in(sensor_.answer(), own_.corridor.min_points, is_explained_); lost && was_sound_) {
     known.lost = std::move(lost);
+    if (const auto* seen = std::get_if<Seen>(&sensor_.answer()); seen && seen->loss) known.hint = seen->loss->hint;
     known.doubt.reset();
   }
   if (outside_) known.doubt = outside_;

@@ -74,6 +74,8 @@ void bind_guard(py::module& module) {
       .def_readonly("sensor", &core::Guarded::sensor)
       .def_readonly("cause", &core::Guarded::cause)
       .def_readonly("reason", &core::Guarded::reason)
+      .def_readonly("hint", &core::Guarded::hint)
+      .def_readonly("in_view", &core::Guarded::in_view)
       .def_property_readonly("stuck_since",
                              [](const core::Guarded& guarded) {
                                return guarded.stuck ? std::optional(guarded.stuck_since) : std::nullopt;

@@ -47,7 +47,8 @@ ODD.linear.x, ODD.linear.y, ODD.angular.z, ODD.angular.x = 0.1 + 0.2, -0.0, 0.1 
 @pytest.mark.parametrize("command", [Twist(), ODD, AHEAD, twist(0.1, -1.5), twist(0.0, 2.0), twist(-0.1)])
 def test_a_safe_command_passes_equal_in_every_bit(robot, command):
     robot.driver.say(command)
-    assert robot.passes(command).zone_text == "Safe"
+    state = robot.passes(command)
+    assert state.zone_text == "Safe" and math.isinf(state.nearest) == (command.linear.x >= 0)
 
 
 def test_a_command_into_a_wall_is_scaled_as_a_whole(robot):
@@ -69,7 +70,10 @@ def test_a_round_robot_turns_in_place_beside_a_wall(robot):
 
 def test_backward_where_nobody_looks_it_creeps(robot):
     robot.driver.say(twist(-0.4))
-    assert robot.gives(lambda state: 0 < state.factor < 1).given.linear.x == pytest.approx(-0.1)
+    state = robot.gives(lambda state: 0 < state.factor < 1)
+    assert state.given.linear.x == pytest.approx(-0.1) and math.isnan(state.nearest)
+    robot.driver.say(twist(-0.05))
+    assert math.isnan(robot.passes(twist(-0.05)).nearest)  # nobody could look
 
 
 def test_a_command_that_waited_while_the_node_was_stopped_is_not_obeyed(robot):
@@ -112,7 +116,8 @@ def test_a_camera_in_doubt_ends_at_zero_and_recovers(robot, doubt):
         hole[points_of(post(0.6))[..., 2] == np.float32(0.6)] = np.nan
         view = [cloud_of(hole * (1 + 1e-4 * i)) for i in range(3)]
     robot.camera.show(view)
-    assert robot.stands(cause).stuck
+    state = robot.stands(cause)
+    assert state.stuck and (cause == "NEAR_LOSS") == ("~reset" in state.hint)
     robot.camera.show(hall())
     robot.passes(AHEAD)
 

@@ -62,16 +62,21 @@ Allowed Guard::allowed(const Twist2& wanted, const std::vector<Twist2>& under_wa
   if (known.empty()) return standing({}, {Cause::NoCloud, "there is no sensor"});
   for (const Known& one : known) {
     if (one.doubt) return standing(one.sensor, *one.doubt);
-    if (one.lost && !(one.eye && leads_away_from(*one.eye, wanted)))
-      return standing(one.sensor, {one.lost->cause, one.lost->reason + "; only straight away from there"});
+    if (one.lost && !(one.eye && leads_away_from(*one.eye, wanted))) {
+      Allowed none = standing(one.sensor, {one.lost->cause, one.lost->reason + "; only straight away from there"});
+      none.hint = one.hint;
+      return none;
+    }
   }
-  const Allowed capped = lesser(lesser(by_speed(wanted), by_eyes(wanted, known)), by_zones(wanted, known));
+  Allowed capped = lesser(lesser(by_speed(wanted), by_eyes(wanted, known)), by_zones(wanted, known));
   const Twist2 slower = limited(wanted, capped.factor);
   const bool in_view = looks_there(wanted, known);
+  capped.in_view = in_view;
   Allowed seen;
   for (const Known& one : known)
     if (!in_view || !one.is_reckoned) seen = lesser(std::move(seen), by_sight(slower, under_way, one));
   if (seen.factor >= 1.0) return capped;
+  seen.in_view = in_view;
   seen.factor *= capped.factor;
   seen.time_to_contact *= capped.factor;
   return seen;

@@ -30,6 +30,7 @@ struct Known {
   std::optional<Eye> eye;      ///< where it looks
   std::optional<Doubt> doubt;  ///< why it is not to be believed: nothing is safe
   std::optional<Doubt> lost;   ///< why it is not to be believed where it looks: only away from there
+  std::string hint;            ///< what would free it then
   std::optional<ZoneCap> cap;  ///< on what leads to where it looks
   bool is_touched = false;     ///< by what was lost: then slowly, though another sensor looks there
   bool is_reckoned = false;    ///< nobody knows well where it is: it counts where no sensor looks

@@ -284,6 +284,8 @@ class Guarded:
     sensor: str  # that decided; empty: none did
     cause: Cause
     reason: str  # the cause in words, with its figures
+    hint: str  # what would free it, if it stands for what nobody sees any more
+    in_view: bool  # some sensor looks where what is wanted leads
     open: int  # while it is stuck: bits of the directions in which it may move, as in SafetyState.msg
     override_left: float  # [s] for which what is seen is not asked; 0: it is
     sight: Sight  # what the latest cloud held

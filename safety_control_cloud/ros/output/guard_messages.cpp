@@ -58,6 +58,7 @@ Decision to_decision(const Guarded& answer) {
   decision.speed = answer.given.linear[0];
   decision.cause = answer.cause;
   decision.reason = answer.reason;
+  decision.hint = answer.hint;
   decision.sight = answer.sight;
   return decision;
 }
@@ -66,7 +67,8 @@ SafetyState to_state(const Guarded& answer, const Settings& settings, const std_
   SafetyState state = to_state(to_decision(answer), settings, cloud);
   state.nearest_frame = settings.base_frame;
   state.nearest_point = point_of(answer.point);
-  state.nearest = answer.point ? length_of(*answer.point) : answer.factor >= 1.0 ? free_ahead : unknown;
+  const bool is_free = answer.factor >= 1.0 && answer.in_view;
+  state.nearest = answer.point ? length_of(*answer.point) : is_free ? free_ahead : unknown;
   state.wanted = to_twist(answer.wanted);
   state.given = to_twist(answer.given);
   state.factor = answer.factor;
