@@ -12,6 +12,8 @@
 namespace safety_control_cloud {
 namespace {
 
+constexpr double begins_after = 0.2;  ///< [s] that odometry must go on before it is asked
+
 Settings checked(const Settings& settings) {
   const auto problems = problems_in(settings);
   std::string all;
@@ -65,6 +67,7 @@ void GuardControl::adopt(const Settings& settings) {
 
 void GuardControl::forget_losses() {
   out_of_sight_.forget();
+  jumped_.reset();
   for (GuardSensor& sensor : sensors_) sensor.forget_losses();
 }
 
@@ -89,12 +92,7 @@ double GuardControl::until_silent(double now) const {
 
 void GuardControl::see(const Reading& reading, const Origin& origin, const Instant& now, std::size_t sensor) {
   const auto look = sensors_[sensor].see(reading, origin, now, given_);
-  if (odometry_.breaks() != breaks_) {
-    if (out_of_sight_.holds_any(now.steady)) jumped_ = odometry_.goes_on_since();
-    out_of_sight_.forget();
-    for (GuardSensor& one : sensors_) one.forget_poses();
-    breaks_ = odometry_.breaks();
-  }
+  if (odometry_.breaks() != breaks_) note_break(now);
   if (!look) return;
   choose_whereabouts(look->stamp, now);
   const auto robot = whereabouts_at(now.ros - look->stamp, now);
@@ -110,10 +108,20 @@ void GuardControl::see(const Reading& reading, const Origin& origin, const Insta
   sensors_[sensor].explain(known, settings_.memory_time, now.steady);
 }
 
-/// By odometry once it speaks; if it falls silent, by what the base is told, but not what it was to place.
+/// Who waits for looks since another break, goes on to wait: that moment may have been far ahead.
+void GuardControl::note_break(const Instant& now) {
+  if (jumped_ || (by_odometry_ && out_of_sight_.holds_any(now.steady))) jumped_ = odometry_.goes_on_since();
+  breaks_ = odometry_.breaks();
+  if (!by_odometry_) return;
+  out_of_sight_.forget();
+  for (GuardSensor& one : sensors_) one.forget_poses();
+}
+
+/// By odometry once it goes on; if it falls silent, by what the base is told, but not what it was to place.
 void GuardControl::choose_whereabouts(double stamp, const Instant& now) {
-  const bool speaks = odometry_.pose_at(stamp).has_value();
-  if (speaks == by_odometry_ || (by_odometry_ && !out_of_sight_.is_empty())) return;
+  const bool goes_on = odometry_.is_fresh(now.ros) && odometry_.goes_on_for() >= begins_after;
+  const bool speaks = goes_on && odometry_.pose_at(stamp);
+  if (speaks == by_odometry_ || (by_odometry_ && out_of_sight_.holds_any(now.steady))) return;
   if (out_of_sight_.holds_any(now.steady)) jumped_ = odometry_.goes_on_since();
   out_of_sight_.forget();
   by_odometry_ = speaks;
@@ -165,7 +173,7 @@ std::vector<Known> GuardControl::known_at(const Instant& now) {
     all.push_back(std::move(known));
   }
   if (!all.empty()) {
-    if (auto remembered = remembered_at(now, shows)) all.push_back(*std::move(remembered));
+    for (Known& one : remembered_at(now, shows)) all.push_back(std::move(one));
     for (Known& one : closed_.known_at(now.steady, settings_.switch_release_time)) all.push_back(std::move(one));
     return all;
   }
@@ -174,40 +182,46 @@ std::vector<Known> GuardControl::known_at(const Instant& now) {
   return {none};
 }
 
-/// What no sensor shows any more, where odometry says that it is.
-std::optional<Known> GuardControl::remembered_at(const Instant& now, const std::vector<bool>& shows) {
+/// What no sensor shows any more, where odometry says that it is; or else by what the base was told, each sensor's own.
+std::vector<Known> GuardControl::remembered_at(const Instant& now, const std::vector<bool>& shows) {
   Known known;
   known.sensor = "memory";
-  if (odometry_.breaks() != breaks_ && out_of_sight_.holds_any(now.steady)) {
-    known.doubt = Doubt{Cause::NoOdometry, "odometry jumped or paused, and what is out of sight cannot be placed"};
-    return known;
-  }
+  const auto in_doubt = [&](const char* reason) {
+    known.doubt = Doubt{Cause::NoOdometry, reason};
+    return std::vector<Known>{known};
+  };
+  if (by_odometry_ && odometry_.breaks() != breaks_ && out_of_sight_.holds_any(now.steady))
+    return in_doubt("odometry jumped or paused, and what is out of sight cannot be placed");
   const auto jumped = [&](const GuardSensor& sensor) {
     return sensor.is_required() && !sensor.has_looked_since(*jumped_);
   };
-  if (jumped_ && std::any_of(sensors_.begin(), sensors_.end(), jumped)) {
-    known.doubt = Doubt{Cause::NoOdometry, "odometry jumped or paused, and not every sensor has looked since"};
-    return known;
-  }
+  if (jumped_ && std::any_of(sensors_.begin(), sensors_.end(), jumped))
+    return in_doubt("odometry jumped or paused, and not every sensor has looked since");
   jumped_.reset();
-  if (!out_of_sight_.holds_any(now.steady)) return std::nullopt;
+  if (!out_of_sight_.holds_any(now.steady)) return {};
   const bool is_placed = !by_odometry_ || odometry_.is_fresh(now.ros);
   const auto robot = is_placed ? whereabouts_at(0.0, now) : std::nullopt;
-  if (!robot) {
-    known.doubt = Doubt{Cause::NoOdometry, "no odometry, and what is out of sight cannot be placed"};
-    return known;
-  }
+  if (!robot) return in_doubt("no odometry, and what is out of sight cannot be placed");
   known.law = sensors_.front().law();
   known.law.min_points = 1;
-  remembered_ = out_of_sight_.rings(*robot, guard_.reach(0.0, known.law), now.steady, shows);
-  // What the margin is kept for: half of it for where things are, the rest for what the robot does. What decides is the
-  // nearest of many returns, not one of min_points as in a picture, and lies nearer than the thing by the noise.
-  for (Ring& ring : remembered_)
-    ring.obstacles.widening = std::max(-known.law.noise, ring.obstacles.widening - 0.5 * settings_.margin);
-  known.rings = &remembered_;
   known.ways = {Pose2{}};
   known.is_reckoned = !by_odometry_;
-  return known;
+  const double reach = guard_.reach(0.0, known.law);
+  remembered_.clear();
+  for (std::size_t i = 0; i < (by_odometry_ ? 1 : sensors_.size()); ++i)
+    remembered_.push_back(
+        out_of_sight_.rings(*robot, reach, now.steady, shows, by_odometry_ ? std::nullopt : std::optional(i)));
+  std::vector<Known> all;
+  for (std::size_t i = 0; i < remembered_.size(); ++i) {
+    // What the margin is kept for: half of it for where things are, the rest for what the robot does. What decides is
+    // the nearest of many returns, not one of min_points as in a picture, and lies nearer than the thing by the noise.
+    for (Ring& ring : remembered_[i])
+      ring.obstacles.widening = std::max(-known.law.noise, ring.obstacles.widening - 0.5 * settings_.margin);
+    known.rings = &remembered_[i];
+    known.seen_by = shows[i] ? sensors_[i].eye() : std::nullopt;
+    all.push_back(known);
+  }
+  return all;
 }
 
 std::vector<Twist2> GuardControl::under_way(const Instant& now) const {

@@ -48,6 +48,9 @@ class GuardSensor {
   /// Whether what it shows was taken after this stamp [s, ROS].
   bool has_looked_since(double stamp) const { return taken_ && taken_->arrival.ros - taken_->time_to_arrive >= stamp; }
 
+  /// Where it looked last; none: it shows nothing.
+  std::optional<Eye> eye() const { return taken_ ? std::optional(taken_->eye) : std::nullopt; }
+
   const Law& law() const { return law_; }
 
   /// [s] until it counts as silent; infinite if it does, or has never sent anything.

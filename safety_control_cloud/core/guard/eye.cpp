@@ -37,10 +37,13 @@ Eye towards(const Outlook& outlook, const Point& ahead, double half_angle) {
   return {place, (1.0 / length) * direction, half_angle};
 }
 
+double bearing_of(const Eye& eye, const Twist2& twist) {
+  return std::atan2(cross(eye.direction, linear(twist)), dot(eye.direction, linear(twist)));
+}
+
 /// Who backs on an arc swings his front into the picture, and drives into what nobody sees.
 bool translates_away(const Eye& eye, const Twist2& twist) {
-  const double bearing = std::atan2(cross(eye.direction, linear(twist)), dot(eye.direction, linear(twist)));
-  return speed_of(twist) > 0.0 && std::abs(bearing) > eye.half_angle + beside_view;
+  return speed_of(twist) > 0.0 && std::abs(bearing_of(eye, twist)) > eye.half_angle + beside_view;
 }
 
 }  // namespace
@@ -72,6 +75,12 @@ bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2&
     }
   }
   return new_places;
+}
+
+bool leads_to_where_it_looks(const Outline& outline, const Eye& eye, const Twist2& twist) {
+  const double time = 1.0;  // the direction counts, not the way
+  if (speed_of(twist) == 0.0) return !leads_into_the_unseen(outline, eye, twist, time);
+  return length_of(eye.direction) > 0.0 && std::abs(bearing_of(eye, twist)) <= eye.half_angle;
 }
 
 bool leads_away_from(const Eye& eye, const Twist2& twist) {

@@ -28,6 +28,9 @@ Eye eye_of(const Outlook& outlook, const ScanView& scan);
 /// the eye sees, at any distance; or all of the robot moves away from where it looks.
 bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2& twist, double time);
 
+/// Whether a twist leads ahead into what the eye sees, and not past it; of a turn in place, whether it shows any of it.
+bool leads_to_where_it_looks(const Outline& outline, const Eye& eye, const Twist2& twist);
+
 /// Whether no part of the robot comes nearer to where the eye looks: straight away from it, without turning.
 bool leads_away_from(const Eye& eye, const Twist2& twist);
 

@@ -202,7 +202,7 @@ Given::Reckoned Given::reckoned_at(double moment) const {
 Whereabouts Given::whereabouts_at(double moment) const {
   const Pose2 prompt = at_once(moment), sluggish = pose_of(Sluggish, moment);
   const Pose2 amid{0.5 * (prompt.place + sluggish.place), 0.5 * (prompt.heading + sluggish.heading)};
-  return {amid, {prompt, sluggish, pose_of(Brisk, moment), forgetful(moment)}, slip};
+  return {amid, {prompt, sluggish, pose_of(Brisk, moment), pose_of(Slow, moment), forgetful(moment)}, slip};
 }
 
 std::vector<Pose2> Given::ways_since(const Reckoned& then, double now) const {

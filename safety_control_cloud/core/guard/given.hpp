@@ -44,9 +44,9 @@ class Given {
   /// true one lies between them.
   std::vector<Pose2> ways_since(const Reckoned& then, double now) const;
 
-  /// Where it is by all that it was told so far, however long that is, if it is as quick to gain speed as to lose it:
-  /// or else where those are who do so at once, or as late and as slowly as can be, or who stand when nobody tells them
-  /// to go on. At most ten seconds ago.
+  /// Where it is by all that it was told so far, however long that is: amid those, or else where one of those is, who
+  /// obey at once, or as late and as slowly as can be, or who stand when nobody tells them to go on. At most ten
+  /// seconds ago.
   Whereabouts whereabouts_at(double moment) const;
 
  private:

@@ -74,7 +74,8 @@ Allowed Guard::allowed(const Twist2& wanted, const std::vector<Twist2>& under_wa
   capped.in_view = in_view;
   Allowed seen;
   for (const Known& one : known)
-    if (!in_view || !one.is_reckoned) seen = lesser(std::move(seen), by_sight(slower, under_way, one));
+    if (!one.is_reckoned || !(one.seen_by && leads_to_where_it_looks(outline_, *one.seen_by, wanted)))
+      seen = lesser(std::move(seen), by_sight(slower, under_way, one));
   if (seen.factor >= 1.0) return capped;
   seen.in_view = in_view;
   seen.factor *= capped.factor;

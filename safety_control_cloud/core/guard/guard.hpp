@@ -21,9 +21,9 @@ struct Allowed {
   std::optional<Point2> point;  ///< [m] in base_frame of now, that decided; none: none did
   std::string sensor;           ///< that decided; empty: none did
   Cause cause = Cause::Seen;
-  std::string reason;    ///< in words
+  std::string reason;     ///< in words
   std::string hint = {};  ///< what would free the robot, if it stands for what nobody sees any more
-  bool in_view = false;  ///< some sensor looks where it leads
+  bool in_view = false;   ///< some sensor looks where it leads
 };
 
 /// What a robot of this shape may do of what is wanted. Pure: all that changes is an argument.

@@ -37,6 +37,9 @@ class Odometry {
   std::size_t breaks() const { return breaks_; }
   double goes_on_since() const { return since_; }
 
+  /// [s] from that stamp to the latest.
+  double goes_on_for() const { return noted_.empty() ? 0.0 : noted_.back().stamp - since_; }
+
   /// The twist of now; none if nothing was said lately.
   std::optional<Twist2> twist_at(double now) const;
 

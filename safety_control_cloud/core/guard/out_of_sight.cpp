@@ -16,7 +16,7 @@ constexpr std::size_t columns = 107, rows = 80;  ///< of a picture that are look
 constexpr std::size_t most = 30000;              ///< places
 constexpr std::uint8_t believed = 2;             ///< looks that show a place, or what is behind it
 /// [m] Places are told apart by these; what may be off by more than the last is as the one that is off the most.
-constexpr std::array<double, 8> displaced = {0.015, 0.02, 0.03, 0.045, 0.07, 0.12, 0.2, 0.4};
+constexpr std::array<double, 12> displaced = {0.015, 0.02, 0.03, 0.045, 0.07, 0.12, 0.2, 0.3, 0.45, 0.7, 1.0, 1.5};
 constexpr double well_known = 0.2;   ///< [m] what may be off by more explains nothing that is lost
 constexpr double absent_for = 1.25;  ///< [s] without a return where there would be one
 constexpr double rests_for = 0.3;    ///< [s] between two looks that show the same place
@@ -123,8 +123,7 @@ void OutOfSight::keep(std::size_t sensor, const Point2& place, float height, dou
   const std::uint64_t key = key_of(place, height);
   const auto found = places_.find(key);
   if (found == places_.end() && places_.size() >= most) return;
-  Place kept{
-      static_cast<float>(place.x), static_cast<float>(place.y), height, now, now, drifted_, turned_, sensor, look_};
+  Place kept{place.x, place.y, height, now, now, drifted_, turned_, sensor, look_};
   if (found != places_.end()) {
     kept.first_seen = found->second.first_seen;
     kept.looks = looks_of(found->second);
@@ -228,11 +227,12 @@ std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Whereab
   return places;
 }
 
-std::vector<Ring> OutOfSight::rings(const Whereabouts& robot, double reach, double now,
-                                    const std::vector<bool>& shows) const {
+std::vector<Ring> OutOfSight::rings(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows,
+                                    std::optional<std::size_t> of) const {
   std::vector<Ring> rings;
   for (std::size_t i = 0; i < displaced.size(); ++i) rings.push_back({reach, {}});
   for_each(robot, now, [&](const Place& place, const Here& here) {
+    if (of && place.sensor != *of) return;
     const bool is_shown = shows[place.sensor] && latest_.at(place.sensor) == place.look;
     if (is_shown || here.range - here.off > reach) return;
     const auto fits = std::lower_bound(displaced.begin(), displaced.end() - 1, here.off);

@@ -59,8 +59,6 @@ class OutOfSight {
   /// Whether anything would be kept.
   bool remembers() const { return limits_.distance > 0.0 && limits_.time > 0.0; }
 
-  bool is_empty() const { return places_.empty(); }
-
   /// Whether anything is.
   bool holds_any(double now) const;
 
@@ -70,11 +68,14 @@ class OutOfSight {
 
   /// What is kept and not shown by the latest look of its sensor, around the robot, out to `reach` [m]; by how much it
   /// may have been displaced meanwhile. `shows`: of each sensor, whether its latest look is believed still.
-  std::vector<Ring> rings(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows) const;
+  /// `of`: what this sensor saw; none: all of them.
+  std::vector<Ring> rings(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows,
+                          std::optional<std::size_t> of = std::nullopt) const;
 
  private:
   struct Place {
-    float x, y, z;           ///< [m] in the resting frame, the height above base_frame
+    double x, y;             ///< [m] in the resting frame, which may begin far away
+    float z;                 ///< [m] above base_frame
     double seen_at;          ///< [s] steady
     double first_seen;       ///< [s] steady
     double drifted, turned;  ///< [m], [rad] of the robot's way then

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double nearest = 0.05;                     ///< [m] before a camera: nearer, directions mean nothing
 constexpr double behind = 0.05, behind_rate = 0.03;  ///< [m] and share of the distance: more than noise
-constexpr double in_plane = 0.05;                    ///< [m] beside a scan's plane that it still meets
+constexpr double in_plane = 0.01;                    ///< [m] beside a scan's plane that it still meets
 constexpr int attempts = 3;                          ///< to find a pixel through a bent lens
 constexpr double close_enough = 1.5;                 ///< [px]
 

@@ -46,6 +46,29 @@ TEST(OutOfSight, OdometryThatDriftsLetsNothingBeForgotten) {
   EXPECT_LT(before, 0.5);
 }
 
+/// As in UTM coordinates.
+TEST(OutOfSight, OdometryThatBeginsFarAwayIsAsGood) {
+  RobotWithOdometry robot;
+  robot.pose = {{5.2e5, 5.4e6}, 2.5};
+  robot.passes(0.5, with_post);
+  robot.turns(quarter, robot.hall);
+  const Guarded& answer = robot.asked({0.0, -0.7, 0.0});
+  ASSERT_TRUE(answer.point) << answer.reason;
+  EXPECT_NEAR(answer.point->y, -0.9 + 0.087, 0.06);
+  EXPECT_NEAR(answer.point->x, 0.0, 0.12);
+}
+
+TEST(OutOfSight, OneStampOfOdometryFarAheadIsNotWaitedFor) {
+  RobotWithOdometry robot;
+  robot.passes(0.5, with_post);
+  robot.turns(quarter, robot.hall);
+  robot.control.note_odometry(robot.now.ros + 1000.0, robot.pose, {});
+  robot.pass(0.05);
+  robot.see(robot.hall);
+  EXPECT_EQ(robot.wants(left).cause, Cause::NoOdometry);
+  EXPECT_EQ(robot.asked(left).factor, 1.0) << robot.wants(left).reason;
+}
+
 TEST(OutOfSight, WhatIsSeenThroughIsForgotten) {
   RobotWithOdometry robot;
   robot.passes(0.5, with_post);
@@ -152,48 +175,6 @@ TEST(OutOfSight, WhoNeverHadOdometryDrivesByWhatHeSees) {
   robot.has_odometry = false;
   robot.passes(0.5, with_post);
   EXPECT_EQ(robot.asked(left).factor, 1.0);
-}
-
-/// Turned by what it is told.
-struct RobotWithoutOdometry : RobotWithOdometry {
-  RobotWithoutOdometry() { has_odometry = false; }
-
-  void turns_around(const Scene& scene, double speed = 0.5) {
-    for (double t = 0.0; t < 2.0 * quarter / std::abs(speed); t += 0.05) drives_on(scene, {0.0, 0.0, speed});
-    passes(1.0, scene);
-  }
-};
-
-TEST(OutOfSight, WithoutOdometryItStaysByWhatTheBaseIsToldAndCountsWhereNobodyLooks) {
-  RobotWithoutOdometry robot, without;
-  robot.passes(0.5, with_post);
-  for (RobotWithoutOdometry* one : {&robot, &without}) one->turns_around(one->hall);
-  const Guarded& answer = robot.asked({-0.6, 0.0, 0.0});
-  EXPECT_LT(answer.factor, 0.95) << answer.reason;
-  EXPECT_EQ(answer.sensor, "memory");
-  EXPECT_EQ(without.asked({-0.6, 0.0, 0.0}).factor, 1.0);
-  EXPECT_EQ(robot.asked({0.6, 0.0, 0.0}).factor, 1.0) << "the camera looks there";
-}
-
-TEST(OutOfSight, WithoutOdometryWhatIsSeenThroughIsForgottenToo) {
-  RobotWithoutOdometry robot;
-  robot.passes(0.5, with_post);
-  robot.turns_around(robot.hall);
-  robot.turns_around(Scene({wall_before(1.5)}), -0.5);
-  robot.turns_around(robot.hall);
-  EXPECT_EQ(robot.asked({-0.6, 0.0, 0.0}).factor, 1.0) << robot.wants({-0.6, 0.0, 0.0}).reason;
-}
-
-/// Its frame is another one.
-TEST(OutOfSight, OnceOdometrySpeaksItIsForgottenWhenEachSensorHasLooked) {
-  RobotWithoutOdometry robot;
-  robot.passes(0.5, with_post);
-  robot.turns_around(robot.hall);
-  robot.has_odometry = true;
-  EXPECT_EQ(robot.asked({-0.6, 0.0, 0.0}).factor, 1.0) << robot.wants({-0.6, 0.0, 0.0}).reason;
-  robot.passes(0.5, with_post);
-  robot.turns(2.0 * quarter, robot.hall);
-  EXPECT_LT(robot.asked({-0.6, 0.0, 0.0}).factor, 0.95) << "from now on by odometry";
 }
 
 TEST(OutOfSight, ResetForgets) {

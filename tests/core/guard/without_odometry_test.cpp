@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "robot_with_odometry.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+const Scene with_post({post(0.9f, 0.0f)});
+const Twist2 back{-0.6, 0.0, 0.0};
+
+/// Turned by what it is told.
+struct RobotWithoutOdometry : RobotWithOdometry {
+  RobotWithoutOdometry() { has_odometry = false; }
+
+  void turns_around(const Scene& scene, double speed = 0.5, double angle = 2.0 * quarter) {
+    for (double t = 0.0; t < angle / std::abs(speed); t += 0.05) drives_on(scene, {0.0, 0.0, speed});
+    passes(1.0, scene);
+  }
+};
+
+TEST(WithoutOdometry, ItStaysByWhatTheBaseIsToldAndCountsWhereNobodyLooks) {
+  RobotWithoutOdometry robot, without;
+  robot.passes(0.5, with_post);
+  for (RobotWithoutOdometry* one : {&robot, &without}) one->turns_around(one->hall);
+  const Guarded& answer = robot.asked({-0.6, 0.0, 0.0});
+  EXPECT_LT(answer.factor, 0.95) << answer.reason;
+  EXPECT_EQ(answer.sensor, "memory");
+  EXPECT_EQ(without.asked({-0.6, 0.0, 0.0}).factor, 1.0);
+  EXPECT_EQ(robot.asked({0.6, 0.0, 0.0}).factor, 1.0) << "the camera looks there";
+}
+
+TEST(WithoutOdometry, WhatIsSeenThroughIsForgotten) {
+  RobotWithoutOdometry robot;
+  robot.passes(0.5, with_post);
+  robot.turns_around(robot.hall);
+  robot.turns_around(Scene({wall_before(1.5)}), -0.5);
+  robot.turns_around(robot.hall);
+  EXPECT_EQ(robot.asked({-0.6, 0.0, 0.0}).factor, 1.0) << robot.wants({-0.6, 0.0, 0.0}).reason;
+}
+
+/// Its frame is another one.
+TEST(WithoutOdometry, OnceItSpeaksItIsForgottenWhenEachSensorHasLooked) {
+  RobotWithoutOdometry robot;
+  robot.passes(0.5, with_post);
+  robot.turns_around(robot.hall);
+  robot.has_odometry = true;
+  EXPECT_EQ(robot.asked({-0.6, 0.0, 0.0}).factor, 1.0) << robot.wants({-0.6, 0.0, 0.0}).reason;
+  robot.passes(0.5, with_post);
+  robot.turns(2.0 * quarter, robot.hall);
+  EXPECT_LT(robot.asked({-0.6, 0.0, 0.0}).factor, 0.95) << "from now on by odometry";
+}
+
+TEST(WithoutOdometry, WhatIsBesideItCountsForWhoDrivesSideways) {
+  RobotWithoutOdometry robot;
+  robot.passes(0.5, with_post);
+  robot.turns_around(robot.hall, 0.5, quarter);
+  EXPECT_LT(robot.asked({0.0, -0.6, 0.0}).factor, 0.95) << robot.wants({0.0, -0.6, 0.0}).reason;
+}
+
+TEST(WithoutOdometry, OneMessageIsNone) {
+  RobotWithoutOdometry robot;
+  robot.passes(0.5, with_post);
+  robot.turns_around(robot.hall);
+  robot.control.note_odometry(robot.now.ros, {{3.0, 1.0}, 0.5}, {});
+  robot.passes(1.0, robot.hall);
+  EXPECT_LT(robot.asked(back).factor, 0.95) << robot.wants(back).reason;
+}
+
+TEST(WithoutOdometry, WhatFellSilentLongAgoIsNone) {
+  RobotWithoutOdometry robot;
+  robot.has_odometry = true;
+  robot.passes(0.5, with_post);
+  robot.turns(quarter, robot.hall);
+  robot.has_odometry = false;
+  robot.passes(40.0, robot.hall);
+  robot.passes(0.5, with_post);
+  robot.turns_around(robot.hall);
+  EXPECT_LT(robot.asked(back).factor, 0.95) << robot.wants(back).reason;
+}
+
+/// Slower than anybody drives, for as long as it takes.
+TEST(WithoutOdometry, WhoCreepsDrivesToo) {
+  RobotWithoutOdometry robot;
+  robot.passes(0.5, with_post);
+  robot.turns_around(robot.hall);
+  for (int i = 0; i < 80; ++i) robot.drives_on(robot.hall, {-0.2, 0.0, 0.0});
+  ASSERT_EQ(robot.wants(back).factor, 0.0) << robot.wants(back).reason;
+  robot.passes(1.0, robot.hall);
+  EXPECT_EQ(robot.wants({-0.0019, 0.0, 0.0}).factor, 0.0) << robot.wants({-0.0019, 0.0, 0.0}).reason;
+}
+
+}  // namespace
+}  // namespace safety_control_cloud
