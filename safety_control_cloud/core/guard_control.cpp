@@ -117,13 +117,18 @@ void GuardControl::note_break(const Instant& now) {
   for (GuardSensor& one : sensors_) one.forget_poses();
 }
 
-/// By odometry once it goes on; if it falls silent, by what the base is told, but not what it was to place.
+/// By odometry once it goes on, with what was remembered until then; if it falls silent, by what the base is told, but
+/// not what it was to place.
 void GuardControl::choose_whereabouts(double stamp, const Instant& now) {
   const bool goes_on = odometry_.is_fresh(now.ros) && odometry_.goes_on_for() >= begins_after;
   const bool speaks = goes_on && odometry_.pose_at(stamp);
-  if (speaks == by_odometry_ || (by_odometry_ && out_of_sight_.holds_any(now.steady))) return;
-  if (out_of_sight_.holds_any(now.steady)) jumped_ = odometry_.goes_on_since();
-  out_of_sight_.forget();
+  const bool holds_any = out_of_sight_.holds_any(now.steady);
+  if (speaks == by_odometry_ || (by_odometry_ && holds_any)) return;
+  if (const auto there = odometry_.pose_at(now.ros); speaks && holds_any && there) {
+    out_of_sight_.go_on_in_frame(given_.whereabouts_at(now.steady), *there, now.steady);
+  } else {
+    out_of_sight_.forget();
+  }
   by_odometry_ = speaks;
 }
 

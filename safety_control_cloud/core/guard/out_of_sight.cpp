@@ -217,6 +217,21 @@ void OutOfSight::for_each(const Whereabouts& robot, double now, Visit visit) con
   }
 }
 
+/// What each may be off by until now stays with it.
+void OutOfSight::go_on_in_frame(const Whereabouts& robot, const Pose2& there, double now) {
+  decltype(places_) places;
+  const Turn turn(there.heading);
+  for_each(robot, now, [&](const Place& place, const Here& here) {
+    Place moved = place;
+    const Point2 at = there.place + turn(here.place);
+    moved.x = at.x, moved.y = at.y;
+    moved.drifted = drifted_ - (here.off - own_size), moved.turned = turned_;
+    places.emplace(key_of(at, place.z), moved);
+  });
+  places_ = std::move(places);
+  pose_ = there;
+}
+
 std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Whereabouts& robot, double now) const {
   std::vector<KnownPlace> places;
   for_each(robot, now, [&](const Place& place, const Here& here) {

@@ -42,15 +42,19 @@ TEST(WithoutOdometry, WhatIsSeenThroughIsForgotten) {
 }
 
 /// Its frame is another one.
-TEST(WithoutOdometry, OnceItSpeaksItIsForgottenWhenEachSensorHasLooked) {
+TEST(WithoutOdometry, OnceItSpeaksWhatIsRememberedGoesOnInItsFrame) {
   RobotWithoutOdometry robot;
   robot.passes(0.5, with_post);
   robot.turns_around(robot.hall);
   robot.has_odometry = true;
-  EXPECT_EQ(robot.asked({-0.6, 0.0, 0.0}).factor, 1.0) << robot.wants({-0.6, 0.0, 0.0}).reason;
-  robot.passes(0.5, with_post);
-  robot.turns(2.0 * quarter, robot.hall);
-  EXPECT_LT(robot.asked({-0.6, 0.0, 0.0}).factor, 0.95) << "from now on by odometry";
+  robot.pose = {{30.0, -7.0}, 1.0};
+  EXPECT_LT(robot.asked({-0.6, 0.0, 0.0}).factor, 0.95) << robot.wants({-0.6, 0.0, 0.0}).reason;
+  EXPECT_GT(robot.asked({0.6, 0.0, 0.0}).factor, 0.0) << robot.wants({0.6, 0.0, 0.0}).reason;
+  robot.turns(quarter, robot.hall);
+  EXPECT_EQ(robot.asked({-0.6, 0.0, 0.0}).factor, 1.0) << "from now on by odometry";
+  const Guarded& answer = robot.asked({0.0, 0.6, 0.0});
+  ASSERT_TRUE(answer.point) << answer.reason;
+  EXPECT_NEAR(std::hypot(answer.point->x, answer.point->y), 0.9 - 0.087, 0.1);
 }
 
 TEST(WithoutOdometry, WhatIsBesideItCountsForWhoDrivesSideways) {
