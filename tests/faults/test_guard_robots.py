@@ -28,7 +28,7 @@ NODELET = ["rosrun", "nodelet", "nodelet", "standalone", "safety_control_cloud/S
 
 
 def test_a_robot_that_is_driven_at_a_wall_stops_before_it_and_backs_off(master):
-    with guarded_robot() as robot:
+    with guarded_robot(memory_distance=1.5) as robot:
         base = Base(robot, 1.0)
         robot.driver.say(twist(0.6))
         base.runs(6.0)
@@ -50,7 +50,7 @@ def odom_of(heading):
 
 def test_of_a_robot_whose_odometry_is_tf_what_it_turned_away_from_stays(master):
     heading = [0.0]
-    with guarded_robot(odom_frame="odom", unseen_speed=0.7) as robot:
+    with guarded_robot(odom_frame="odom", unseen_speed=0.7, memory_distance=1.5) as robot:
         tf = Repeated("/tf", TFMessage, 50.0, odom_of)
         tf.say(heading)
         robot.camera.show(hall(wall(0.2 + CAMERA_TO_FRONT)))

@@ -159,8 +159,11 @@ def guarded_robot(
     *remappings: str, namespace: str = "", started: Optional[ContextManager[Process]] = None, others: Sequence[TransformStamped] = (),
     camera: Type[Camera] = Camera, **parameters: Any
 ) -> Iterator[Guarded]:
-    """A robot in a free hall whose camera has been seen; nobody drives it yet. `others`: where its other sensors are."""
-    given = [f"_{name}:={value}" for name, value in {"mode": "guard", **parameters}.items()]
+    """A robot in a free hall whose camera has been seen; nobody drives it yet. `others`: where its other sensors are.
+
+    What its camera shows does not move when it drives, so that it is not to remember where things were.
+    """
+    given = [f"_{name}:={value}" for name, value in {"mode": "guard", "memory_distance": 0.0, **parameters}.items()]
     ours = [f"__ns:={namespace}"] if namespace else []
     with started or node("safety_control_node", *given, *ours, *remappings) as process:
         stamped = parameters.get("command_type") == "twist_stamped"
