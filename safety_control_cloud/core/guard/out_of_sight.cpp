@@ -29,13 +29,6 @@ std::uint64_t key_of(const Point2& place, double height) {
 
 std::size_t step_for(std::size_t size, std::size_t wanted) { return (size + wanted - 1) / wanted; }
 
-/// [m] at most, of a point at this range.
-double farthest(const std::vector<Pose2>& ways, double range) {
-  double most = 0.0;
-  for (const Pose2& way : ways) most = std::max(most, displacement(way, range));
-  return most;
-}
-
 /// Where a place of base_frame lies in the corridor's axes.
 Point in_axes(const Point2& place, float height) {
   return Point(static_cast<float>(-place.y), -height, static_cast<float>(place.x));
@@ -43,64 +36,34 @@ Point in_axes(const Point2& place, float height) {
 
 }  // namespace
 
-/// Where the robot may be now instead, as seen from where it is taken to be, if a place is where a look had it.
-class OutOfSight::OrElse {
- public:
-  OrElse(const std::deque<Taken>& taken, std::uint64_t latest, const Whereabouts& robot)
-      : taken_(taken), latest_(latest), robot_(robot), ways_(robot.or_else.empty() ? 0 : taken.size()) {}
-
-  const std::vector<Pose2>& since(std::uint64_t look) {
-    static const std::vector<Pose2> none;
-    const std::uint64_t looks_since = latest_ - look;
-    if (looks_since >= ways_.size()) return none;
-    const std::size_t i = ways_.size() - 1 - static_cast<std::size_t>(looks_since);
-    if (!ways_[i]) ways_[i] = ways_from(taken_[i].robot);
-    return *ways_[i];
-  }
-
- private:
-  std::vector<Pose2> ways_from(const Whereabouts& then) const {
-    const Pose2 way = between(then.pose, robot_.pose);
-    std::vector<Pose2> ways;
-    for (std::size_t i = 0; i < std::min(then.or_else.size(), robot_.or_else.size()); ++i)
-      ways.push_back(between(way, between(then.or_else[i], robot_.or_else[i])));
-    return ways;
-  }
-
-  const std::deque<Taken>& taken_;
-  std::uint64_t latest_;
-  const Whereabouts& robot_;
-  std::vector<std::optional<std::vector<Pose2>>> ways_;
-};
-
 void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now) {
-  travel(robot);
-  begin(sensor, robot, now);
+  looks_.take_placed(sensor, robot, now);
+  drop_what_is_over(now);
   if (!remembers()) return places_.clear();
-  const auto is_over = [&](const Place& place) { return now - place.seen_at > limits_.time; };
-  for (auto it = places_.begin(); it != places_.end();) it = is_over(it->second) ? places_.erase(it) : std::next(it);
   const SeenAt seen_at(look.reading, look.view);
   if (!seen_at.can_tell()) return;
-  keep_near(sensor, look, robot.pose, now);
+  keep_near(look, robot.pose, now);
   drop_what_has_gone(look, seen_at, robot, now);
 }
 
-void OutOfSight::begin(std::size_t sensor, const Whereabouts& robot, double now) {
-  latest_[sensor] = ++look_;
-  taken_.push_back({now, robot});
-  while (now - taken_.front().at > limits_.time && taken_.size() > 1) taken_.pop_front();
+void OutOfSight::note_unplaced(std::size_t sensor, double now) {
+  looks_.take(sensor, now);
+  drop_what_is_over(now);
 }
 
-void OutOfSight::travel(const Whereabouts& robot) {
-  if (pose_) {
-    const Pose2 way = between(*pose_, robot.pose);
-    drifted_ += robot.drift * length_of(way.place);
-    turned_ += robot.drift * std::abs(way.heading);
-  }
-  pose_ = robot.pose;
+void OutOfSight::drop_what_is_over(double now) {
+  looks_.forget_before(now - limits_.time);
+  for (auto it = places_.begin(); it != places_.end();)
+    it = shown_by(it->second, now) ? std::next(it) : places_.erase(it);
 }
 
-void OutOfSight::keep_near(std::size_t sensor, const Look& look, const Pose2& pose, double now) {
+/// The latest look that showed it; none: its time is over.
+const LooksTaken::Taken* OutOfSight::shown_by(const Place& place, double now) const {
+  const LooksTaken::Taken* look = looks_.find(place.look);
+  return look && now - look->at <= limits_.time ? look : nullptr;
+}
+
+void OutOfSight::keep_near(const Look& look, const Pose2& pose, double now) {
   const Pixels pixels(look.view, look.outlook.corridor.range_min);
   const bool is_scan = std::holds_alternative<ScanView>(look.reading);
   const std::size_t across = is_scan ? 1 : step_for(pixels.width(), columns), down = step_for(pixels.height(), rows);
@@ -114,16 +77,16 @@ void OutOfSight::keep_near(std::size_t sensor, const Look& look, const Pose2& po
       const bool counts = height >= limits_.bottom && height <= limits_.top &&
                           dot(place, place) <= limits_.distance * limits_.distance;  // of NaN, false
       if (!counts || is_own(limits_.self, place.x, place.y, height)) continue;
-      keep(sensor, pose.place + turn(place), height, now);
+      keep(pose.place + turn(place), height, now);
     }
   }
 }
 
-void OutOfSight::keep(std::size_t sensor, const Point2& place, float height, double now) {
+void OutOfSight::keep(const Point2& place, float height, double now) {
   const std::uint64_t key = key_of(place, height);
   const auto found = places_.find(key);
   if (found == places_.end() && places_.size() >= most) return;
-  Place kept{place.x, place.y, height, now, now, drifted_, turned_, sensor, look_};
+  Place kept{place.x, place.y, height, looks_.latest(), now};
   if (found != places_.end()) {
     kept.first_seen = found->second.first_seen;
     kept.looks = looks_of(found->second);
@@ -149,29 +112,28 @@ std::uint8_t OutOfSight::looks_beside(const Point2& place, double height) const 
 
 /// Of a place that the present look shows too.
 std::uint8_t OutOfSight::looks_of(const Place& before) const {
-  const int looks = before.looks + (before.look == look_ ? 0 : 1);
+  const int looks = before.looks + (before.look == looks_.latest() ? 0 : 1);
   return static_cast<std::uint8_t>(std::min<int>(looks, believed));
 }
 
 /// Where nobody knows quite where the robot is, only what would be shown wherever that is.
 void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Whereabouts& robot, double now) {
   const SeenAfter seen_after(robot.pose);
-  OrElse or_else(taken_, look_, robot);
+  WaySince way_since(looks_, robot);
   const auto from_camera = [&](const Point2& here, float height) {
     return look.outlook.seen_from_camera(in_axes(here, height));
   };
   for (auto it = places_.begin(); it != places_.end();) {
     Place& place = it->second;
-    if (place.look == look_) {
+    if (place.look == looks_.latest()) {
       ++it;
       continue;
     }
     const Point2 here = seen_after({place.x, place.y});
-    const auto& ways = or_else.since(place.look);
-    const double beside = farthest(ways, length_of(here));
+    const double beside = way_since.beside(place.look, length_of(here));
     const Point there = from_camera(here, place.z);
     AtPlace seen = seen_at(there, beside);
-    for (const Pose2& way : ways) {
+    for (const Pose2& way : way_since.or_else(place.look)) {
       if (seen == AtPlace::NotThere) break;
       seen = std::min(seen, seen_at(from_camera(SeenAfter(way)(here), place.z), beside));
     }
@@ -194,7 +156,7 @@ bool OutOfSight::has_gone(Place& place, AtPlace seen, bool is_measured, double n
 }
 
 bool OutOfSight::counts(const Place& place, double now) const {
-  return place.looks >= believed && now - place.seen_at <= limits_.time;
+  return place.looks >= believed && shown_by(place, now);
 }
 
 bool OutOfSight::holds_any(double now) const {
@@ -204,16 +166,12 @@ bool OutOfSight::holds_any(double now) const {
 template <class Visit>
 void OutOfSight::for_each(const Whereabouts& robot, double now, Visit visit) const {
   const SeenAfter seen_after(robot.pose);
-  OrElse or_else(taken_, look_, robot);
-  const Pose2 since = pose_ ? between(*pose_, robot.pose) : Pose2{};
-  const double drifted = drifted_ + robot.drift * length_of(since.place);
-  const double turned = turned_ + robot.drift * std::abs(since.heading);
+  WaySince way_since(looks_, robot);
   for (const auto& [key, place] : places_) {
     if (!counts(place, now)) continue;
     const Point2 here = seen_after({place.x, place.y});
     const double range = length_of(here);
-    const double beside = farthest(or_else.since(place.look), range);
-    visit(place, Here{here, range, own_size + drifted - place.drifted + (turned - place.turned) * range + beside});
+    visit(place, Here{here, range, own_size + place.off + way_since.off(place.look, range)});
   }
 }
 
@@ -225,18 +183,19 @@ void OutOfSight::go_on_in_frame(const Whereabouts& robot, const Pose2& there, do
     Place moved = place;
     const Point2 at = there.place + turn(here.place);
     moved.x = at.x, moved.y = at.y;
-    moved.drifted = drifted_ - (here.off - own_size), moved.turned = turned_;
+    moved.off = here.off - own_size;
     places.emplace(key_of(at, place.z), moved);
   });
   places_ = std::move(places);
-  pose_ = there;
+  looks_.go_on_in_frame(there);
 }
 
 std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Whereabouts& robot, double now) const {
   std::vector<KnownPlace> places;
   for_each(robot, now, [&](const Place& place, const Here& here) {
-    if (place.seen_at - place.first_seen < rests_for || here.off > well_known) return;
-    const double off = here.off + limits_.speed * (now - place.seen_at);
+    const double seen_at = looks_.find(place.look)->at;
+    if (seen_at - place.first_seen < rests_for || here.off > well_known) return;
+    const double off = here.off + limits_.speed * (now - seen_at);
     places.push_back({here.place, camera.seen_from_camera(in_axes(here.place, place.z)), off});
   });
   return places;
@@ -247,8 +206,9 @@ std::vector<Ring> OutOfSight::rings(const Whereabouts& robot, double reach, doub
   std::vector<Ring> rings;
   for (std::size_t i = 0; i < displaced.size(); ++i) rings.push_back({reach, {}});
   for_each(robot, now, [&](const Place& place, const Here& here) {
-    if (of && place.sensor != *of) return;
-    const bool is_shown = shows[place.sensor] && latest_.at(place.sensor) == place.look;
+    const std::size_t sensor = looks_.find(place.look)->sensor;
+    if (of && sensor != *of) return;
+    const bool is_shown = shows[sensor] && looks_.is_latest_of_its_sensor(place.look);
     if (is_shown || here.range - here.off > reach) return;
     const auto fits = std::lower_bound(displaced.begin(), displaced.end() - 1, here.off);
     Ring& ring = rings[static_cast<std::size_t>(fits - displaced.begin())];

@@ -3,14 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
-#include <map>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
 #include "../input/reading.hpp"
 #include "known_places.hpp"
+#include "looks_taken.hpp"
 #include "pose.hpp"
 #include "seen_at.hpp"
 #include "surroundings.hpp"
@@ -52,7 +51,7 @@ class OutOfSight {
   void note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now);
 
   /// `sensor` shows something, and nobody knows from where.
-  void note_unplaced(std::size_t sensor, double now) { begin(sensor, {}, now); }
+  void note_unplaced(std::size_t sensor, double now);
 
   void forget() { *this = OutOfSight(limits_); }
 
@@ -77,21 +76,13 @@ class OutOfSight {
 
  private:
   struct Place {
-    double x, y;             ///< [m] in the resting frame, which may begin far away
-    float z;                 ///< [m] above base_frame
-    double seen_at;          ///< [s] steady
-    double first_seen;       ///< [s] steady
-    double drifted, turned;  ///< [m], [rad] of the robot's way then
-    std::size_t sensor;
+    double x, y;         ///< [m] in the resting frame, which may begin far away
+    float z;             ///< [m] above base_frame
     std::uint64_t look;  ///< the latest that showed it
+    double first_seen;   ///< [s] steady
+    double off = 0.0;    ///< [m] by which it may have been displaced before this frame rested
     std::uint8_t looks = 1, away = 0;
     std::optional<double> absent_since = std::nullopt;  ///< [s] steady
-  };
-
-  /// A look, and where the robot was then.
-  struct Taken {
-    double at;  ///< [s] steady
-    Whereabouts robot;
   };
 
   /// A place as it lies around the robot now, and by how much it may have been displaced meanwhile.
@@ -100,14 +91,13 @@ class OutOfSight {
     double range, off;  ///< [m]
   };
 
-  class OrElse;
-  void begin(std::size_t sensor, const Whereabouts& robot, double now);
+  const LooksTaken::Taken* shown_by(const Place& place, double now) const;
+  void drop_what_is_over(double now);
   bool counts(const Place& place, double now) const;
   template <class Visit>
   void for_each(const Whereabouts& robot, double now, Visit visit) const;
-  void travel(const Whereabouts& robot);
-  void keep_near(std::size_t sensor, const Look& look, const Pose2& pose, double now);
-  void keep(std::size_t sensor, const Point2& place, float height, double now);
+  void keep_near(const Look& look, const Pose2& pose, double now);
+  void keep(const Point2& place, float height, double now);
   std::uint8_t looks_of(const Place& before) const;
   std::uint8_t looks_beside(const Point2& place, double height) const;
   void drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Whereabouts& robot, double now);
@@ -115,11 +105,7 @@ class OutOfSight {
 
   OutOfSightLimits limits_;
   std::unordered_map<std::uint64_t, Place> places_;  ///< by cell
-  std::map<std::size_t, std::uint64_t> latest_;      ///< look of each sensor
-  std::uint64_t look_ = 0;
-  std::deque<Taken> taken_;  ///< the latest looks, as long as a place of theirs may be kept
-  std::optional<Pose2> pose_;
-  double drifted_ = 0.0, turned_ = 0.0;  ///< [m], [rad] by which the way so far may be off
+  LooksTaken looks_;                                 ///< as long as a place of theirs may be kept
 };
 
 }  // namespace safety_control_cloud

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "looks_taken.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace safety_control_cloud {
+namespace {
+
+std::vector<Pose2> ways_between(const Whereabouts& then, const Whereabouts& now) {
+  const Pose2 way = between(then.pose, now.pose);
+  std::vector<Pose2> ways;
+  for (std::size_t i = 0; i < std::min(then.or_else.size(), now.or_else.size()); ++i)
+    ways.push_back(between(way, between(then.or_else[i], now.or_else[i])));
+  return ways;
+}
+
+}  // namespace
+
+void LooksTaken::take_placed(std::size_t sensor, const Whereabouts& robot, double now) {
+  if (pose_) {
+    const Pose2 way = between(*pose_, robot.pose);
+    drifted_ += robot.drift * length_of(way.place);
+    turned_ += robot.drift * std::abs(way.heading);
+  }
+  pose_ = robot.pose;
+  add(sensor, robot, now);
+}
+
+void LooksTaken::add(std::size_t sensor, const Whereabouts& robot, double now) {
+  latest_of_[sensor] = ++latest_;
+  taken_.push_back({sensor, now, robot, drifted_, turned_});
+}
+
+/// What the way until now may be off by is for those to keep who know a place.
+void LooksTaken::go_on_in_frame(const Pose2& there) {
+  pose_ = there;
+  for (Taken& look : taken_) look = {look.sensor, look.at, {there}, drifted_, turned_};
+}
+
+void LooksTaken::forget_before(double moment) {
+  while (taken_.size() > 1 && taken_.front().at < moment) taken_.pop_front();
+}
+
+const LooksTaken::Taken* LooksTaken::find(std::uint64_t look) const {
+  const std::uint64_t since = latest_ - look;
+  return since < taken_.size() ? &taken_[taken_.size() - 1 - static_cast<std::size_t>(since)] : nullptr;
+}
+
+bool LooksTaken::is_latest_of_its_sensor(std::uint64_t look) const {
+  const Taken* taken = find(look);
+  return taken && latest_of_.at(taken->sensor) == look;
+}
+
+WaySince::WaySince(const LooksTaken& looks, const Whereabouts& robot)
+    : looks_(looks), robot_(robot), drifted_(looks.drifted_), turned_(looks.turned_) {
+  if (!robot.or_else.empty()) ways_.resize(looks.taken_.size());
+  if (!looks.pose_) return;
+  const Pose2 since = between(*looks.pose_, robot.pose);
+  drifted_ += robot.drift * length_of(since.place);
+  turned_ += robot.drift * std::abs(since.heading);
+}
+
+const std::vector<Pose2>& WaySince::or_else(std::uint64_t look) {
+  static const std::vector<Pose2> none;
+  const std::uint64_t since = looks_.latest_ - look;
+  if (since >= ways_.size()) return none;
+  auto& ways = ways_[static_cast<std::size_t>(since)];
+  if (!ways) ways = ways_between(looks_.find(look)->robot, robot_);
+  return *ways;
+}
+
+double WaySince::beside(std::uint64_t look, double range) {
+  double most = 0.0;
+  for (const Pose2& way : or_else(look)) most = std::max(most, displacement(way, range));
+  return most;
+}
+
+double WaySince::off(std::uint64_t look, double range) {
+  const LooksTaken::Taken& then = *looks_.find(look);
+  return drifted_ - then.drifted + (turned_ - then.turned) * range + beside(look, range);
+}
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "pose.hpp"
+#include "whereabouts.hpp"
+
+namespace safety_control_cloud {
+
+/// The looks of all sensors, numbered as they came, and where the robot was at each.
+class LooksTaken {
+ public:
+  struct Taken {
+    std::size_t sensor;
+    double at;               ///< [s] steady
+    Whereabouts robot;       ///< in a frame that rests
+    double drifted, turned;  ///< [m], [rad] by which the way until then may have been off
+  };
+
+  /// A sensor looks, and nobody knows from where.
+  void take(std::size_t sensor, double now) { add(sensor, Whereabouts{}, now); }
+
+  /// It looks, the robot being there.
+  void take_placed(std::size_t sensor, const Whereabouts& robot, double now);
+
+  /// From now on another frame rests, in which the robot is `there`.
+  void go_on_in_frame(const Pose2& there);
+
+  /// Those before `moment` [s, steady] are of no interest any more, but for the latest.
+  void forget_before(double moment);
+
+  /// The number of the latest look of all; 0 before the first.
+  std::uint64_t latest() const { return latest_; }
+
+  /// None: it is forgotten.
+  const Taken* find(std::uint64_t look) const;
+
+  /// Whether no later look of the same sensor has been taken.
+  bool is_latest_of_its_sensor(std::uint64_t look) const;
+
+ private:
+  friend class WaySince;
+  void add(std::size_t sensor, const Whereabouts& robot, double now);
+
+  std::deque<Taken> taken_;  ///< the latest of them
+  std::uint64_t latest_ = 0;
+  std::map<std::size_t, std::uint64_t> latest_of_;  ///< of each sensor
+  std::optional<Pose2> pose_;                       ///< of the latest that was placed
+  double drifted_ = 0.0, turned_ = 0.0;             ///< [m], [rad] by which the way so far may be off
+};
+
+/// How far the way from each look to where the robot is now may be off. Borrows both.
+class WaySince {
+ public:
+  WaySince(const LooksTaken& looks, const Whereabouts& robot);
+
+  /// Where the robot may be now instead, as seen from where it is taken to be, if a place is where this look had it.
+  const std::vector<Pose2>& or_else(std::uint64_t look);
+
+  /// [m] that a place at this range lies elsewhere by these, at most.
+  double beside(std::uint64_t look, double range);
+
+  /// The same with what the way may have drifted; the look is not forgotten.
+  double off(std::uint64_t look, double range);
+
+ private:
+  const LooksTaken& looks_;
+  const Whereabouts& robot_;
+  double drifted_, turned_;  ///< [m], [rad] as the way until now may be off
+  std::vector<std::optional<std::vector<Pose2>>> ways_;
+};
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../../safety_control_cloud/core/guard/looks_taken.hpp"
+
+#include <gtest/gtest.h>
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr std::size_t front = 0, rear = 1;
+
+Whereabouts at(double x, double heading = 0.0) { return {{{x, 0.0}, heading}, {}, 0.1}; }
+
+TEST(LooksTaken, EachIsFoundByItsNumberUntilItIsForgotten) {
+  LooksTaken looks;
+  EXPECT_EQ(looks.find(looks.latest()), nullptr);
+  looks.take_placed(front, at(1.0), 10.0);
+  looks.take(rear, 10.1);
+  looks.take_placed(front, at(2.0), 10.2);
+  ASSERT_NE(looks.find(1), nullptr);
+  EXPECT_EQ(looks.find(1)->at, 10.0);
+  EXPECT_EQ(looks.find(2)->sensor, rear);
+  EXPECT_FALSE(looks.is_latest_of_its_sensor(1));
+  EXPECT_TRUE(looks.is_latest_of_its_sensor(2));
+  looks.forget_before(10.15);
+  EXPECT_EQ(looks.find(2), nullptr);
+  EXPECT_FALSE(looks.is_latest_of_its_sensor(2));
+  EXPECT_EQ(looks.find(3)->robot.pose.place.x, 2.0);
+  EXPECT_EQ(looks.find(4), nullptr) << "not taken yet";
+}
+
+TEST(WaySince, DriftsWithTheWayThatWasGoneSinceTheLook) {
+  LooksTaken looks;
+  looks.take_placed(front, at(0.0), 10.0);
+  looks.take_placed(front, at(3.0), 11.0);
+  const Whereabouts now = at(4.0, 0.5);
+  WaySince way(looks, now);
+  EXPECT_NEAR(way.off(1, 2.0), 0.1 * 4.0 + 0.1 * 0.5 * 2.0, 1e-12);
+  EXPECT_NEAR(way.off(2, 2.0), 0.1 * 1.0 + 0.1 * 0.5 * 2.0, 1e-12);
+}
+
+TEST(WaySince, NamesWhereTheRobotMayBeInstead) {
+  LooksTaken looks;
+  looks.take_placed(front, {{{0.0, 0.0}, 0.0}, {{{0.0, 0.0}, 0.0}, {{-0.2, 0.0}, 0.0}}}, 10.0);
+  const Whereabouts now{{{1.0, 0.0}, 0.0}, {{{1.0, 0.0}, 0.0}, {{0.5, 0.0}, 0.1}}};
+  WaySince way(looks, now);
+  ASSERT_EQ(way.or_else(1).size(), 2u);
+  EXPECT_NEAR(way.or_else(1)[1].place.x, 0.7 - 1.0, 1e-12);
+  EXPECT_NEAR(way.beside(1, 2.0), 0.3 + 0.1 * 2.0, 1e-12);
+  EXPECT_TRUE(way.or_else(2).empty()) << "not taken yet";
+}
+
+TEST(WaySince, InAnotherFrameTheWayBeginsAnew) {
+  LooksTaken looks;
+  looks.take_placed(front, {{{0.0, 0.0}, 0.0}, {{{-0.2, 0.0}, 0.0}}, 0.1}, 10.0);
+  looks.take_placed(front, {{{1.0, 0.0}, 0.0}, {{{0.5, 0.0}, 0.0}}, 0.1}, 11.0);
+  looks.go_on_in_frame({{30.0, 0.0}, 0.0});
+  const Whereabouts now = at(31.0);
+  WaySince way(looks, now);
+  for (const std::uint64_t look : {1, 2}) EXPECT_NEAR(way.off(look, 1.0), 0.1, 1e-12) << look;
+}
+
+}  // namespace
+}  // namespace safety_control_cloud
