@@ -12,8 +12,6 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double begins_after = 0.2;  ///< [s] that odometry must go on before it is asked
-
 Settings checked(const Settings& settings) {
   const auto problems = problems_in(settings);
   std::string all;
@@ -25,12 +23,6 @@ Settings checked(const Settings& settings) {
 Following following_of(const Settings& settings) {
   return {settings.latency + settings.base_reaction, settings.stopping.base_deceleration,
           settings.angular_deceleration};
-}
-
-OutOfSightLimits out_of_sight_by(const Settings& settings) {
-  const FrameCorridor& band = settings.frame_corridor;
-  return {band.bottom,           band.top, settings.memory_distance, settings.memory_time, settings.obstacle_speed,
-          own_boxes_of(settings)};
 }
 
 std::vector<GuardSensor> sensors_by(const Settings& settings, const Guard& guard) {
@@ -46,7 +38,7 @@ GuardControl::GuardControl(const Settings& settings)
       guard_(settings_),
       sensors_(sensors_by(settings_, guard_)),
       closed_(settings_.switches),
-      out_of_sight_(out_of_sight_by(settings_)),
+      memory_(settings_),
       given_(following_of(settings_)) {}
 
 void GuardControl::adopt(const Settings& settings) {
@@ -57,17 +49,16 @@ void GuardControl::adopt(const Settings& settings) {
   guard_ = Guard(settings_);
   if (!same) {
     sensors_ = sensors_by(settings_, guard_);
-    out_of_sight_.forget();
+    memory_.forget();
   }
   for (GuardSensor& sensor : sensors_) sensor.adopt(settings_, guard_);
-  out_of_sight_.limit(out_of_sight_by(settings_));
+  memory_.adopt(settings_);
   given_.follow(following_of(settings_));
   override_.adopt(settings_);
 }
 
 void GuardControl::forget_losses() {
-  out_of_sight_.forget();
-  jumped_.reset();
+  memory_.forget();
   for (GuardSensor& sensor : sensors_) sensor.forget_losses();
 }
 
@@ -92,51 +83,14 @@ double GuardControl::until_silent(double now) const {
 
 void GuardControl::see(const Reading& reading, const Origin& origin, const Instant& now, std::size_t sensor) {
   const auto look = sensors_[sensor].see(reading, origin, now, given_);
-  if (odometry_.breaks() != breaks_) note_break(now);
+  const Went went{odometry_, given_};
+  if (memory_.note_breaks(went, now))
+    for (GuardSensor& one : sensors_) one.forget_poses();
   if (!look) return;
-  choose_whereabouts(look->stamp, now);
-  const auto robot = whereabouts_at(now.ros - look->stamp, now);
-  if (robot) {
-    out_of_sight_.note(sensor, *look, *robot, now.steady);
-  } else {
-    out_of_sight_.note_unplaced(sensor, now.steady);
-  }
-  const auto pose = by_odometry_ && robot ? std::optional(robot->pose) : std::nullopt;
+  const auto pose = memory_.note(sensor, *look, went, now);
   const bool is_any_lost = sensors_[sensor].note_pose(pose, now.steady);
-  if (!is_any_lost || !pose || !out_of_sight_.remembers()) return;
-  const auto known = out_of_sight_.resting(look->outlook, *robot, now.steady);
-  sensors_[sensor].explain(known, settings_.memory_time, now.steady);
-}
-
-/// Who waits for looks since another break, goes on to wait: that moment may have been far ahead.
-void GuardControl::note_break(const Instant& now) {
-  if (jumped_ || (by_odometry_ && out_of_sight_.holds_any(now.steady))) jumped_ = odometry_.goes_on_since();
-  breaks_ = odometry_.breaks();
-  if (!by_odometry_) return;
-  out_of_sight_.forget();
-  for (GuardSensor& one : sensors_) one.forget_poses();
-}
-
-/// By odometry once it goes on, with what was remembered until then; if it falls silent, by what the base is told, but
-/// not what it was to place.
-void GuardControl::choose_whereabouts(double stamp, const Instant& now) {
-  const bool goes_on = odometry_.is_fresh(now.ros) && odometry_.goes_on_for() >= begins_after;
-  const bool speaks = goes_on && odometry_.pose_at(stamp);
-  const bool holds_any = out_of_sight_.holds_any(now.steady);
-  if (speaks == by_odometry_ || (by_odometry_ && holds_any)) return;
-  if (const auto there = odometry_.pose_at(now.ros); speaks && holds_any && there) {
-    out_of_sight_.go_on_in_frame(given_.whereabouts_at(now.steady), *there, now.steady);
-  } else {
-    out_of_sight_.forget();
-  }
-  by_odometry_ = speaks;
-}
-
-/// `age` [s] ago.
-std::optional<Whereabouts> GuardControl::whereabouts_at(double age, const Instant& now) const {
-  if (!by_odometry_) return given_.whereabouts_at(now.steady - age);
-  const auto pose = odometry_.pose_at(now.ros - age);
-  return pose ? std::optional(Whereabouts{*pose, {}, settings_.odometry_drift}) : std::nullopt;
+  if (!is_any_lost || !pose || !memory_.remembers()) return;
+  sensors_[sensor].explain(memory_.resting(*look, *pose, now), settings_.memory_time, now.steady);
 }
 
 void GuardControl::want(const Command& wanted, const Instant& now, std::optional<double> stamp) {
@@ -178,55 +132,14 @@ std::vector<Known> GuardControl::known_at(const Instant& now) {
     all.push_back(std::move(known));
   }
   if (!all.empty()) {
-    for (Known& one : remembered_at(now, shows)) all.push_back(std::move(one));
+    for (Known& one : memory_.known_at(now, {odometry_, given_}, sensors_, shows, guard_))
+      all.push_back(std::move(one));
     for (Known& one : closed_.known_at(now.steady, settings_.switch_release_time)) all.push_back(std::move(one));
     return all;
   }
   Known none;
   none.doubt = outside_ ? *outside_ : Doubt{Cause::NoCloud, "no sensor is required, and none to be believed"};
   return {none};
-}
-
-/// What no sensor shows any more, where odometry says that it is; or else by what the base was told, each sensor's own.
-std::vector<Known> GuardControl::remembered_at(const Instant& now, const std::vector<bool>& shows) {
-  Known known;
-  known.sensor = "memory";
-  const auto in_doubt = [&](const char* reason) {
-    known.doubt = Doubt{Cause::NoOdometry, reason};
-    return std::vector<Known>{known};
-  };
-  if (by_odometry_ && odometry_.breaks() != breaks_ && out_of_sight_.holds_any(now.steady))
-    return in_doubt("odometry jumped or paused, and what is out of sight cannot be placed");
-  const auto jumped = [&](const GuardSensor& sensor) {
-    return sensor.is_required() && !sensor.has_looked_since(*jumped_);
-  };
-  if (jumped_ && std::any_of(sensors_.begin(), sensors_.end(), jumped))
-    return in_doubt("odometry jumped or paused, and not every sensor has looked since");
-  jumped_.reset();
-  if (!out_of_sight_.holds_any(now.steady)) return {};
-  const bool is_placed = !by_odometry_ || odometry_.is_fresh(now.ros);
-  const auto robot = is_placed ? whereabouts_at(0.0, now) : std::nullopt;
-  if (!robot) return in_doubt("no odometry, and what is out of sight cannot be placed");
-  known.law = sensors_.front().law();
-  known.law.min_points = 1;
-  known.ways = {Pose2{}};
-  known.is_reckoned = !by_odometry_;
-  const double reach = guard_.reach(0.0, known.law);
-  remembered_.clear();
-  for (std::size_t i = 0; i < (by_odometry_ ? 1 : sensors_.size()); ++i)
-    remembered_.push_back(
-        out_of_sight_.rings(*robot, reach, now.steady, shows, by_odometry_ ? std::nullopt : std::optional(i)));
-  std::vector<Known> all;
-  for (std::size_t i = 0; i < remembered_.size(); ++i) {
-    // What the margin is kept for: half of it for where things are, the rest for what the robot does. What decides is
-    // the nearest of many returns, not one of min_points as in a picture, and lies nearer than the thing by the noise.
-    for (Ring& ring : remembered_[i])
-      ring.obstacles.widening = std::max(-known.law.noise, ring.obstacles.widening - 0.5 * settings_.margin);
-    known.rings = &remembered_[i];
-    known.seen_by = shows[i] ? sensors_[i].eye() : std::nullopt;
-    all.push_back(known);
-  }
-  return all;
 }
 
 std::vector<Twist2> GuardControl::under_way(const Instant& now) const {

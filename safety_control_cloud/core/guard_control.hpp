@@ -11,8 +11,8 @@
 #include "guard/given.hpp"
 #include "guard/guard.hpp"
 #include "guard/odometry.hpp"
-#include "guard/out_of_sight.hpp"
 #include "guard/override.hpp"
+#include "guard_memory.hpp"
 #include "guard_sensor.hpp"
 #include "settings.hpp"
 
@@ -92,10 +92,6 @@ class GuardControl {
 
  private:
   std::vector<Known> known_at(const Instant& now);
-  std::optional<Whereabouts> whereabouts_at(double age, const Instant& now) const;
-  void note_break(const Instant& now);
-  void choose_whereabouts(double stamp, const Instant& now);
-  std::vector<Known> remembered_at(const Instant& now, const std::vector<bool>& shows);
   std::vector<Twist2> under_way(const Instant& now) const;
   Allowed overridden(const Twist2& wanted, const std::vector<Known>& known, const Instant& now) const;
   Allowed allowed_now(const Instant& now, const std::vector<Known>& known) const;
@@ -106,11 +102,7 @@ class GuardControl {
   Guard guard_;
   std::vector<GuardSensor> sensors_;
   ClosedEdges closed_;
-  OutOfSight out_of_sight_;
-  std::vector<std::vector<Ring>> remembered_;  ///< of the latest answer: of all sensors, or of each
-  bool by_odometry_ = false;                   ///< it is known where that is; or else by what the base was told
-  std::size_t breaks_ = 0;                     ///< of the odometry, after which that began
-  std::optional<double> jumped_;  ///< [s, ROS] since then odometry goes on, and not every sensor has looked
+  GuardMemory memory_;
   Odometry odometry_;
   Given given_;
   std::optional<Command> wanted_;

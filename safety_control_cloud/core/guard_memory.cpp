@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "guard_memory.hpp"
+
+#include <algorithm>
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double begins_after = 0.2;  ///< [s] that odometry must go on before it is asked
+
+OutOfSightLimits limits_by(const Settings& settings) {
+  const FrameCorridor& band = settings.frame_corridor;
+  return {band.bottom,           band.top, settings.memory_distance, settings.memory_time, settings.obstacle_speed,
+          own_boxes_of(settings)};
+}
+
+}  // namespace
+
+GuardMemory::GuardMemory(const Settings& settings)
+    : out_of_sight_(limits_by(settings)), odometry_drift_(settings.odometry_drift), margin_(settings.margin) {}
+
+void GuardMemory::adopt(const Settings& settings) {
+  out_of_sight_.limit(limits_by(settings));
+  odometry_drift_ = settings.odometry_drift;
+  margin_ = settings.margin;
+}
+
+void GuardMemory::forget() {
+  out_of_sight_.forget();
+  jumped_.reset();
+}
+
+/// Who waits for looks since another break, goes on to wait: that moment may have been far ahead.
+bool GuardMemory::note_breaks(const Went& went, const Instant& now) {
+  if (went.odometry.breaks() == breaks_) return false;
+  if (jumped_ || (by_odometry_ && out_of_sight_.holds_any(now.steady))) jumped_ = went.odometry.goes_on_since();
+  breaks_ = went.odometry.breaks();
+  if (by_odometry_) out_of_sight_.forget();
+  return by_odometry_;
+}
+
+std::optional<Pose2> GuardMemory::note(std::size_t sensor, const Look& look, const Went& went, const Instant& now) {
+  choose_whereabouts(look.stamp, went, now);
+  const auto robot = whereabouts_at(now.ros - look.stamp, went, now);
+  if (robot) {
+    out_of_sight_.note(sensor, look, *robot, now.steady);
+  } else {
+    out_of_sight_.note_unplaced(sensor, now.steady);
+  }
+  return by_odometry_ && robot ? std::optional(robot->pose) : std::nullopt;
+}
+
+/// By odometry once it goes on, with what was remembered until then; if it falls silent, by what the base is told, but
+/// not what it was to place.
+void GuardMemory::choose_whereabouts(double stamp, const Went& went, const Instant& now) {
+  const Odometry& odometry = went.odometry;
+  const bool goes_on = odometry.is_fresh(now.ros) && odometry.goes_on_for() >= begins_after;
+  const bool speaks = goes_on && odometry.pose_at(stamp);
+  const bool holds_any = out_of_sight_.holds_any(now.steady);
+  if (speaks == by_odometry_ || (by_odometry_ && holds_any)) return;
+  if (const auto there = odometry.pose_at(now.ros); speaks && holds_any && there) {
+    out_of_sight_.go_on_in_frame(went.given.whereabouts_at(now.steady), *there, now.steady);
+  } else {
+    out_of_sight_.forget();
+  }
+  by_odometry_ = speaks;
+}
+
+/// `age` [s] ago.
+std::optional<Whereabouts> GuardMemory::whereabouts_at(double age, const Went& went, const Instant& now) const {
+  if (!by_odometry_) return went.given.whereabouts_at(now.steady - age);
+  const auto pose = went.odometry.pose_at(now.ros - age);
+  return pose ? std::optional(Whereabouts{*pose, {}, odometry_drift_}) : std::nullopt;
+}
+
+std::vector<KnownPlace> GuardMemory::resting(const Look& look, const Pose2& pose, const Instant& now) const {
+  return out_of_sight_.resting(look.outlook, {pose, {}, odometry_drift_}, now.steady);
+}
+
+/// Why what is out of sight cannot be placed.
+std::optional<Doubt> GuardMemory::doubt_at(const Instant& now, const Went& went,
+                                           const std::vector<GuardSensor>& sensors) {
+  const auto in_doubt = [](const char* reason) { return Doubt{Cause::NoOdometry, reason}; };
+  const bool holds_any = out_of_sight_.holds_any(now.steady);
+  if (by_odometry_ && went.odometry.breaks() != breaks_ && holds_any)
+    return in_doubt("odometry jumped or paused, and what is out of sight cannot be placed");
+  const auto has_not_looked = [&](const GuardSensor& sensor) {
+    return sensor.is_required() && !sensor.has_looked_since(*jumped_);
+  };
+  if (jumped_ && std::any_of(sensors.begin(), sensors.end(), has_not_looked))
+    return in_doubt("odometry jumped or paused, and not every sensor has looked since");
+  jumped_.reset();
+  if (holds_any && by_odometry_ && !(went.odometry.is_fresh(now.ros) && went.odometry.pose_at(now.ros)))
+    return in_doubt("no odometry, and what is out of sight cannot be placed");
+  return std::nullopt;
+}
+
+std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, const std::vector<GuardSensor>& sensors,
+                                         const std::vector<bool>& shows, const Guard& guard) {
+  Known known;
+  known.sensor = "memory";
+  known.doubt = doubt_at(now, went, sensors);
+  if (known.doubt) return {known};
+  if (!out_of_sight_.holds_any(now.steady)) return {};
+  const Whereabouts robot = *whereabouts_at(0.0, went, now);  // there is, or it would be in doubt
+  known.law = sensors.front().law();
+  known.law.min_points = 1;
+  known.ways = {Pose2{}};
+  known.is_reckoned = !by_odometry_;
+  const double reach = guard.reach(0.0, known.law);
+  rings_.clear();
+  for (std::size_t i = 0; i < (by_odometry_ ? 1 : sensors.size()); ++i)
+    rings_.push_back(
+        out_of_sight_.rings(robot, reach, now.steady, shows, by_odometry_ ? std::nullopt : std::optional(i)));
+  std::vector<Known> all;
+  for (std::size_t i = 0; i < rings_.size(); ++i) {
+    // What the margin is kept for: half of it for where things are, the rest for what the robot does. What decides is
+    // the nearest of many returns, not one of min_points as in a picture, and lies nearer than the thing by the noise.
+    for (Ring& ring : rings_[i])
+      ring.obstacles.widening = std::max(-known.law.noise, ring.obstacles.widening - 0.5 * margin_);
+    known.rings = &rings_[i];
+    known.seen_by = shows[i] ? sensors[i].eye() : std::nullopt;
+    all.push_back(known);
+  }
+  return all;
+}
+
+}  // namespace safety_control_cloud

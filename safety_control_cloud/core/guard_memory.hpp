@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "guard/given.hpp"
+#include "guard/guard.hpp"
+#include "guard/odometry.hpp"
+#include "guard/out_of_sight.hpp"
+#include "guard_sensor.hpp"
+#include "settings.hpp"
+
+namespace safety_control_cloud {
+
+/// What is known of where the robot went. Borrowed for the length of a call.
+struct Went {
+  const Odometry& odometry;
+  const Given& given;
+};
+
+/// What no sensor shows any more, placed by odometry where that goes on, or else by what the base was told; and what
+/// speaks against it.
+class GuardMemory {
+ public:
+  /// The settings are fit.
+  explicit GuardMemory(const Settings& settings);
+
+  /// Goes on with other settings.
+  void adopt(const Settings& settings);
+
+  /// Nothing is remembered, and nothing speaks against that.
+  void forget();
+
+  /// Whether odometry did not go on since this was asked last, so that where the robot was by it is not known any more.
+  bool note_breaks(const Went& went, const Instant& now);
+
+  /// A sensor shows this. Where the robot was then by odometry; none: nobody knows.
+  std::optional<Pose2> note(std::size_t sensor, const Look& look, const Went& went, const Instant& now);
+
+  /// Whether anything would be kept.
+  bool remembers() const { return out_of_sight_.remembers(); }
+
+  /// What was seen to rest, as a look has it that was taken there.
+  std::vector<KnownPlace> resting(const Look& look, const Pose2& pose, const Instant& now) const;
+
+  /// `shows`: of each sensor, whether its latest look is believed still. Holds until it is asked again.
+  std::vector<Known> known_at(const Instant& now, const Went& went, const std::vector<GuardSensor>& sensors,
+                              const std::vector<bool>& shows, const Guard& guard);
+
+ private:
+  void choose_whereabouts(double stamp, const Went& went, const Instant& now);
+  std::optional<Whereabouts> whereabouts_at(double age, const Went& went, const Instant& now) const;
+  std::optional<Doubt> doubt_at(const Instant& now, const Went& went, const std::vector<GuardSensor>& sensors);
+
+  OutOfSight out_of_sight_;
+  double odometry_drift_;                 ///< [m/m], [rad/rad]
+  double margin_;                         ///< [m]
+  std::vector<std::vector<Ring>> rings_;  ///< as they were asked for last: of all sensors, or of each
+  bool by_odometry_ = false;              ///< it is known where that is; or else by what the base was told
+  std::size_t breaks_ = 0;                ///< of the odometry, after which that began
+  std::optional<double> jumped_;          ///< [s, ROS] since then odometry goes on, and not every sensor has looked
+};
+
+}  // namespace safety_control_cloud
