@@ -10,6 +10,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr int around_circle = 24, times = 8;
+constexpr double way_ahead = 1.0;      ///< [s] of a twist: its direction counts, not how far it leads
 constexpr double new_ground = 2e-3;    ///< [m] from where the footprint is now
 constexpr double beside_view = 1.05;   ///< [rad] beyond which a way leads out of the picture
 constexpr double straight = 0.1;       ///< [rad/m] a driver's hand is not steadier
@@ -63,12 +64,12 @@ Eye eye_of(const Outlook& outlook, const ScanView& scan) {
   return towards(outlook, ahead, 0.5 * (scan.last - scan.first));
 }
 
-bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2& twist, double time) {
+bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2& twist) {
   bool new_places = false;
   const bool away = translates_away(eye, twist);
   for (const Point2& point : boundary_of(outline)) {
     for (int i = 1; i <= times; ++i) {
-      const Point2 place = moved(point, {-twist.vx, -twist.vy, -twist.w}, time * i / times);
+      const Point2 place = moved(point, {-twist.vx, -twist.vy, -twist.w}, way_ahead * i / times);
       if (outline.signed_distance(place) <= new_ground) continue;
       if (!away && eye.sees(place)) return false;
       new_places = true;
@@ -78,8 +79,7 @@ bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2&
 }
 
 bool leads_to_where_it_looks(const Outline& outline, const Eye& eye, const Twist2& twist) {
-  const double time = 1.0;  // the direction counts, not the way
-  if (speed_of(twist) == 0.0) return !leads_into_the_unseen(outline, eye, twist, time);
+  if (speed_of(twist) == 0.0) return !leads_into_the_unseen(outline, eye, twist);
   return length_of(eye.direction) > 0.0 && std::abs(bearing_of(eye, twist)) <= eye.half_angle;
 }
 

@@ -24,9 +24,9 @@ Eye eye_of(const Outlook& outlook, const FieldOfView& field);
 /// Of a range finder.
 Eye eye_of(const Outlook& outlook, const ScanView& scan);
 
-/// Whether the footprint, within `time` [s] of a twist, comes to where it is not now and all of that lies outside what
-/// the eye sees, at any distance; or all of the robot moves away from where it looks.
-bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2& twist, double time);
+/// Whether the footprint comes by a twist to where it is not now and all of that lies outside what the eye sees, at any
+/// distance; or all of the robot moves away from where it looks.
+bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2& twist);
 
 /// Whether a twist leads ahead into what the eye sees, and not past it; of a turn in place, whether it shows any of it.
 bool leads_to_where_it_looks(const Outline& outline, const Eye& eye, const Twist2& twist);

@@ -68,10 +68,10 @@ Allowed Guard::allowed(const Twist2& wanted, const std::vector<Twist2>& under_wa
       return none;
     }
   }
-  Allowed capped = lesser(lesser(by_speed(wanted), by_eyes(wanted, known)), by_zones(wanted, known));
-  const Twist2 slower = limited(wanted, capped.factor);
-  const bool in_view = looks_there(wanted, known);
+  const bool in_view = is_in_view(wanted, known);
+  Allowed capped = lesser(lesser(by_speed(wanted), by_eyes(wanted, known, in_view)), by_zones(wanted, known));
   capped.in_view = in_view;
+  const Twist2 slower = limited(wanted, capped.factor);
   Allowed seen;
   for (const Known& one : known)
     if (!one.is_reckoned || !(one.seen_by && leads_to_where_it_looks(outline_, *one.seen_by, wanted)))
@@ -121,15 +121,14 @@ Allowed Guard::by_zones(const Twist2& wanted, const std::vector<Known>& known) c
 }
 
 /// Whether some sensor looks where this leads.
-bool Guard::looks_there(const Twist2& wanted, const std::vector<Known>& known) const {
-  const double time = 1.0;  // the direction counts, not the way
+bool Guard::is_in_view(const Twist2& wanted, const std::vector<Known>& known) const {
   return std::any_of(known.begin(), known.end(), [&](const Known& one) {
-    return !one.lost && one.eye && !leads_into_the_unseen(outline_, *one.eye, wanted, time);
+    return !one.lost && one.eye && !leads_into_the_unseen(outline_, *one.eye, wanted);
   });
 }
 
 /// Where nobody looks, no faster than is said for that; nor than out of the margin, away from what was lost.
-Allowed Guard::by_eyes(const Twist2& wanted, const std::vector<Known>& known) const {
+Allowed Guard::by_eyes(const Twist2& wanted, const std::vector<Known>& known, bool in_view) const {
   const auto slowly_from = [&](const Known& one, Allowed least) {
     if (!one.lost) return least;
     return lesser(std::move(least), capped(wanted, settings_.escape_speed, one.lost->reason));
@@ -137,7 +136,7 @@ Allowed Guard::by_eyes(const Twist2& wanted, const std::vector<Known>& known) co
   Allowed least;
   for (const Known& one : known)
     if (one.is_touched) least = slowly_from(one, std::move(least));
-  if (looks_there(wanted, known)) return least;
+  if (in_view) return least;
   least = lesser(std::move(least), capped(wanted, settings_.unseen_speed, "no sensor looks there: unseen_speed"));
   for (const Known& one : known) least = slowly_from(one, std::move(least));
   return least;

@@ -49,8 +49,8 @@ class Guard {
   Allowed by_ring(const Twist2& wanted, const std::vector<Twist2>& under_way, const Known& known, const Ring& ring,
                   std::size_t nearer) const;
   Allowed by_zones(const Twist2& wanted, const std::vector<Known>& known) const;
-  bool looks_there(const Twist2& wanted, const std::vector<Known>& known) const;
-  Allowed by_eyes(const Twist2& wanted, const std::vector<Known>& known) const;
+  bool is_in_view(const Twist2& wanted, const std::vector<Known>& known) const;
+  Allowed by_eyes(const Twist2& wanted, const std::vector<Known>& known, bool in_view) const;
   Allowed capped(const Twist2& wanted, double fastest, const std::string& reason) const;
 
   GuardSettings settings_;
