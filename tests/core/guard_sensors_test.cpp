@@ -4,77 +4,13 @@
 #include <cmath>
 
 #include "../../safety_control_cloud/core/guard_control.hpp"
-#include "guard/guarded_robot.hpp"
+#include "guard/robot_with_sensors.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
-/// In base_frame, turned by so much around it.
-Placing turned_xtion(double heading) {
-  const double c = std::cos(heading), s = std::sin(heading);
-  Eigen::Matrix<double, 3, 4> place;
-  place << s, 0, c, -0.087 * c, -c, 0, s, -0.087 * s, 0, -1, 0, 0.2972;
-  return placing_of(place);
-}
-
-Placing laser_at(double height, double tilt = 0.0) {
-  const double c = std::cos(tilt), s = std::sin(tilt);
-  Eigen::Matrix<double, 3, 4> place;
-  place << c, 0, s, 0.0, 0, 1, 0, 0.0, -s, 0, c, height;
-  return placing_of(place);
-}
-
-constexpr std::size_t front = 0, rear = 1, laser = 2;
-
-Settings with_sensors(bool laser_is_required = true) {
-  Settings settings = guard_settings();
-  settings.sensors = {{"front", InputKind::Cloud, "front/points", true, {}},
-                      {"rear", InputKind::Cloud, "rear/points", false, {}},
-                      {"laser", InputKind::Scan, "scan", laser_is_required, {{"noise", 0.02}}}};
-  return settings;
-}
-
-/// All three sensors show; a laser of 360 beams.
-struct Robot : GuardedRobot {
-  explicit Robot(const Settings& settings = with_sensors()) : GuardedRobot(settings) {}
-
-  Scene ahead, behind;
-  std::vector<float> ranges = std::vector<float>(360, 5.0f);
-  ScanPoints scans;
-  Placing laser_place = laser_at(0.2);
-  double rear_heading = pi;
-  bool front_shows = true, rear_shows = true, laser_shows = true;
-
-  /// Something narrow, at the laser's left.
-  void shows_beside_it() {
-    for (std::size_t degrees = 267; degrees <= 273; ++degrees) ranges[degrees] = 0.35f;
-  }
-
-  void see_scan() {
-    Scan scan;
-    scan.angle_min = -pi, scan.angle_increment = 2.0 * pi / 360.0, scan.angle_max = pi - scan.angle_increment;
-    scan.scan_time = 0.1, scan.range_min = 0.1, scan.range_max = 10.0;
-    scan.ranges = ranges.data(), scan.size = ranges.size();
-    control.see(scans.of(scan), {now.ros, laser_place, "laser", "laser"}, now, laser);
-  }
-
-  /// As somebody says it again and again, and sensors that show the same; until it has settled.
-  const Guarded& drives(const Twist2& twist) {
-    for (int i = 0; i < 10; ++i) {
-      pass(0.05);
-      if (front_shows) see(ahead.view(), xtion(), front);
-      if (rear_shows) see(behind.view(), turned_xtion(rear_heading), rear);
-      if (laser_shows) see_scan();
-      wants(twist);
-    }
-    return wants(twist);
-  }
-};
-
 TEST(GuardSensors, WhatAllSeeToBeFreePassesInEveryDirection) {
-  Robot robot;
+  RobotWithSensors robot;
   for (const Twist2& twist :
        {Twist2{0.5, 0.0, 0.0}, Twist2{-0.4, 0.0, 0.0}, Twist2{0.3, 0.0, 0.8}, Twist2{0.0, 0.3, 0.0}}) {
     const Guarded& answer = robot.drives(twist);
@@ -83,7 +19,7 @@ TEST(GuardSensors, WhatAllSeeToBeFreePassesInEveryDirection) {
 }
 
 TEST(GuardSensors, TheOneThatSeesAnObstacleDecidesAndIsNamed) {
-  Robot robot;
+  RobotWithSensors robot;
   robot.behind = Scene({wall_before(0.3)});
   EXPECT_EQ(robot.drives({0.5, 0.0, 0.0}).factor, 1.0) << robot.drives({0.5, 0.0, 0.0}).reason;
   const Guarded& back = robot.drives({-0.6, 0.0, 0.0});
@@ -110,7 +46,7 @@ TEST(GuardSensors, ALaserSeesBesideAndBehind) {
 
 TEST(GuardSensors, OneThatIsRequiredAndInDoubtStopsEveryMotion) {
   for (const std::size_t lost : {front, laser}) {
-    Robot robot;
+    RobotWithSensors robot;
     ASSERT_EQ(robot.drives({0.3, 0.0, 0.0}).factor, 1.0);
     (lost == front ? robot.front_shows : robot.laser_shows) = false;
     robot.pass(0.2);
@@ -127,7 +63,7 @@ TEST(GuardSensors, OneThatIsRequiredAndInDoubtStopsEveryMotion) {
 }
 
 TEST(GuardSensors, OneThatIsNotRequiredOnlyStopsToCountAsHavingSeen) {
-  Robot robot(with_sensors(false));
+  RobotWithSensors robot(with_sensors(false));
   ASSERT_EQ(robot.drives({-0.3, 0.0, 0.0}).factor, 1.0);
   robot.rear_shows = robot.laser_shows = false;
   robot.drives({-0.3, 0.0, 0.0});
@@ -142,7 +78,7 @@ TEST(GuardSensors, OneThatIsNotRequiredOnlyStopsToCountAsHavingSeen) {
 TEST(GuardSensors, WithoutAnyThatIsRequiredAndNoneToBelieveItStands) {
   Settings settings = with_sensors(false);
   settings.sensors[front].required = false;
-  Robot robot(settings);
+  RobotWithSensors robot(settings);
   ASSERT_EQ(robot.drives({0.3, 0.0, 0.0}).factor, 1.0);
   robot.front_shows = robot.rear_shows = robot.laser_shows = false;
   robot.drives({0.3, 0.0, 0.0});
@@ -154,7 +90,7 @@ TEST(GuardSensors, AWholeScanOfInfinitiesIsBlindUnlessTheyAreFree) {
   Settings free = with_sensors();
   free.sensors[laser].own["inf_is_free"] = 1.0;
   for (const bool is_free : {false, true}) {
-    Robot robot(is_free ? free : with_sensors());
+    RobotWithSensors robot(is_free ? free : with_sensors());
     robot.ranges.assign(360, std::numeric_limits<float>::infinity());
     const Guarded& answer = robot.drives({-0.3, 0.0, 0.0});
     EXPECT_EQ(answer.factor, is_free ? 1.0 : 0.0) << answer.reason;
@@ -163,7 +99,7 @@ TEST(GuardSensors, AWholeScanOfInfinitiesIsBlindUnlessTheyAreFree) {
 }
 
 TEST(GuardSensors, ABlindLaserThatLooksAllAroundLeavesNoWayAway) {
-  Robot robot;
+  RobotWithSensors robot;
   ASSERT_EQ(robot.drives({-0.1, 0.0, 0.0}).factor, 1.0);
   robot.ranges.assign(360, std::numeric_limits<float>::quiet_NaN());
   for (const Twist2& twist : {Twist2{0.1, 0.0, 0.0}, Twist2{-0.1, 0.0, 0.0}, Twist2{0.0, 0.1, 0.0}})
@@ -172,7 +108,7 @@ TEST(GuardSensors, ABlindLaserThatLooksAllAroundLeavesNoWayAway) {
 
 TEST(GuardSensors, AScanWhosePlaneLeavesTheBandIsNoSight) {
   for (const Placing& place : {laser_at(0.02), laser_at(0.9), laser_at(0.2, 0.4), laser_at(0.2, pi / 2.0)}) {
-    Robot robot;
+    RobotWithSensors robot;
     robot.laser_place = place;
     const Guarded& answer = robot.drives({0.1, 0.0, 0.0});
     EXPECT_EQ(answer.cause, Cause::WrongView) << answer.reason;
@@ -194,7 +130,7 @@ TEST(GuardSensors, ALaserUpsideDownSeesTheOtherSide) {
 
 /// Each camera keeps what came near along its own way of looking.
 TEST(GuardSensors, WhatARearCameraLostClosesTheWayBack) {
-  Robot robot;
+  RobotWithSensors robot;
   robot.laser_shows = true;
   robot.behind = Scene({post(0.6f, 0.0f)});
   robot.drives({0.1, 0.0, 0.0});
@@ -209,7 +145,7 @@ TEST(GuardSensors, WhatARearCameraLostClosesTheWayBack) {
 TEST(GuardSensors, ACameraThatLooksUpIsNoSight) {
   Settings settings = guard_settings();
   settings.sensors = {{"up", InputKind::Cloud, "up/points", true, {}}};
-  GuardedRobot robot(settings);
+  GuardedRobotWithSensors robot(settings);
   Eigen::Matrix<double, 3, 4> place;
   place << 0, -1, 0, 0, -1, 0, 0, 0.0, 0, 0, 1, 0.2972;
   const Scene scene;
@@ -239,7 +175,7 @@ TEST(GuardSensors, WhatEachRemembersOutlivesTheProcessInTheirOrder) {
 TEST(GuardSensors, TheSoonestToBeSilentIsTold) {
   Settings settings = with_sensors();
   settings.sensors[laser].own["source_timeout"] = 0.2;
-  Robot robot(settings);
+  RobotWithSensors robot(settings);
   EXPECT_TRUE(std::isinf(robot.control.until_silent(robot.now.steady)));
   robot.drives({0.1, 0.0, 0.0});
   EXPECT_NEAR(robot.control.until_silent(robot.now.steady), 0.2, 1e-9);
@@ -249,7 +185,7 @@ TEST(GuardSensors, TheSoonestToBeSilentIsTold) {
 }
 
 TEST(GuardSensors, ALiveChangeHoldsForAllAndLeavesEachItsOwn) {
-  Robot robot;
+  RobotWithSensors robot;
   ASSERT_EQ(robot.drives({0.5, 0.0, 0.0}).factor, 1.0);
   Settings changed = with_sensors();
   changed.max_speed = 0.25;

@@ -11,7 +11,6 @@
 namespace safety_control_cloud {
 namespace {
 
-const Scene with_post({post(0.9f, 0.0f)});
 const Twist2 right{0.0, -0.5, 0.0}, left{0.0, 0.5, 0.0};
 
 TEST(OutOfSight, WhatHasLeftThePictureStaysWhereItWas) {

@@ -7,6 +7,8 @@ namespace safety_control_cloud {
 
 constexpr double quarter = 1.5707963267948966;
 
+inline const Scene with_post({post(0.9f, 0.0f)});
+
 inline Settings remembering(double distance = 1.5) {
   Settings settings = guard_settings();
   settings.memory_distance = distance;

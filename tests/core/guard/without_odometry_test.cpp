@@ -8,7 +8,6 @@
 namespace safety_control_cloud {
 namespace {
 
-const Scene with_post({post(0.9f, 0.0f)});
 const Twist2 back{-0.6, 0.0, 0.0};
 
 /// Turned by what it is told.

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../../safety_control_cloud/core/guard/odometry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+
+namespace safety_control_cloud {
+namespace {
+
+/// Says for `seconds` from `from` on where a robot is that keeps a twist from the origin on.
+void drive(Odometry& odometry, const Twist2& twist, double from, double seconds) {
+  for (int i = 0; i <= std::lround(seconds / 0.02); ++i) odometry.note(from + 0.02 * i, way_of(twist, 0.02 * i), twist);
+}
+
+void expect_near(const std::optional<Pose2>& way, const Pose2& expected, double tolerance) {
+  ASSERT_TRUE(way);
+  EXPECT_NEAR(way->place.x, expected.place.x, tolerance);
+  EXPECT_NEAR(way->place.y, expected.place.y, tolerance);
+  EXPECT_NEAR(way->heading, expected.heading, 1e-9);
+}
+
+TEST(Pose, AWayIsSeenBackwardByARestingPoint) {
+  const Twist2 twist{0.3, 0.1, 0.7};
+  const Point2 point{1.0, -0.5};
+  const Point2 carried = SeenAfter(way_of(twist, 0.8))(point), direct = moved(point, twist, 0.8);
+  EXPECT_NEAR(carried.x, direct.x, 1e-12);
+  EXPECT_NEAR(carried.y, direct.y, 1e-12);
+}
+
+TEST(Odometry, TellsTheWayBetweenAndBeyondItsPoses) {
+  Odometry odometry;
+  const Twist2 twist{0.4, 0.0, 0.5};
+  drive(odometry, twist, 10.0, 1.0);
+  expect_near(odometry.way_since(10.33, 11.1), way_of(twist, 0.77), 1e-4);
+}
+
+/// As TF has it: of the pose alone.
+TEST(Odometry, OfPosesAloneTellsTheSameWayAndTheTwistBetweenThem) {
+  Odometry odometry;
+  const Twist2 twist{0.4, 0.1, -2.0};
+  for (int i = 0; i <= 100; ++i) {  // through half a turn, where headings are wrapped
+    Pose2 pose = way_of(twist, 0.02 * i);
+    pose.heading = std::remainder(pose.heading, 2.0 * std::acos(-1.0));
+    odometry.note_pose(10.0 + 0.02 * i, pose, 0.7, 3.14);
+  }
+  EXPECT_EQ(odometry.breaks(), std::size_t{0});
+  expect_near(odometry.way_since(10.33, 12.0), way_of(twist, 1.67), 1e-3);
+  ASSERT_TRUE(odometry.twist_at(12.0));
+  EXPECT_NEAR(odometry.twist_at(12.0)->vx, twist.vx, 0.01);
+  EXPECT_NEAR(odometry.twist_at(12.0)->vy, twist.vy, 0.01);
+  EXPECT_NEAR(odometry.twist_at(12.0)->w, twist.w, 1e-9);
+}
+
+TEST(Odometry, OfPosesAloneWhatIsFasterThanTheRobotIsAJump) {
+  for (const Pose2& odd : {Pose2{{0.5, 0.0}, 0.0}, Pose2{{0.0, -3.0}, 0.0}, Pose2{{0.0, 0.0}, 0.5},
+                           Pose2{{std::nan(""), 0.0}, 0.0}, Pose2{{0.0, 0.0}, std::nan("")}}) {
+    Odometry odometry;
+    for (int i = 0; i < 10; ++i) odometry.note_pose(10.0 + 0.02 * i, {}, 0.7, 3.14);
+    odometry.note_pose(10.2, odd, 0.7, 3.14);
+    EXPECT_EQ(odometry.breaks(), std::size_t{1}) << odd.place.x << ' ' << odd.heading;
+    EXPECT_FALSE(odometry.way_since(10.1, 10.2));
+  }
+  Odometry back;
+  back.note_pose(10.0, {}, 0.7, 3.14);
+  back.note_pose(9.0, {}, 0.7, 3.14);
+  EXPECT_EQ(back.breaks(), std::size_t{1});
+}
+
+TEST(Odometry, DoesNotSpanWhatItHasNotSeen) {
+  Odometry odometry;
+  EXPECT_FALSE(odometry.way_since(0.0, 0.1));
+  drive(odometry, {0.4, 0.0, 0.0}, 10.0, 1.0);
+  EXPECT_FALSE(odometry.way_since(9.9, 11.0)) << "before it began";
+  EXPECT_FALSE(odometry.way_since(10.5, 11.5)) << "it has ceased";
+  EXPECT_FALSE(odometry.twist_at(11.5));
+}
+
+TEST(Odometry, AJumpAGapOrNoNumberBeginsItAnew) {
+  const Twist2 twist{0.4, 0.0, 0.0};
+  for (const Pose2& odd : {Pose2{{5.0, 0.0}, 0.0}, Pose2{{0.4, 0.0}, 1.5}, Pose2{{std::nan(""), 0.0}, 0.0}}) {
+    Odometry odometry;
+    drive(odometry, twist, 10.0, 1.0);
+    odometry.note(11.02, odd, twist);
+    EXPECT_FALSE(odometry.way_since(10.5, 11.02));
+  }
+  Odometry late, back;
+  drive(late, twist, 10.0, 1.0);
+  late.note(11.4, {{0.56, 0.0}, 0.0}, twist);
+  EXPECT_FALSE(late.way_since(10.5, 11.4));
+  drive(back, twist, 10.0, 1.0);
+  back.note(10.5, {{0.2, 0.0}, 0.0}, twist);
+  EXPECT_FALSE(back.way_since(10.4, 10.5));
+}
+
+TEST(Odometry, AHalfTurnIsNoJump) {
+  Odometry odometry;
+  for (int i = 0; i < 20; ++i) {
+    const double heading = 3.0 + 0.02 * i;
+    odometry.note(1.0 + 0.02 * i, {{0.0, 0.0}, std::remainder(heading, 2 * 3.14159265358979323846)}, {0.0, 0.0, 1.0});
+  }
+  const auto way = odometry.way_since(1.0, 1.38);
+  ASSERT_TRUE(way);
+  EXPECT_NEAR(way->heading, 0.38, 1e-9);
+}
+
+}  // namespace
+}  // namespace safety_control_cloud
