@@ -30,8 +30,8 @@ TEST(GuardSensors, TheOneThatSeesAnObstacleDecidesAndIsNamed) {
 }
 
 TEST(GuardSensors, ALaserSeesBesideAndBehind) {
-  Robot to_the_right, backward, robot;
-  for (Robot* one : {&to_the_right, &backward, &robot}) {
+  RobotWithSensors to_the_right, backward, robot;
+  for (RobotWithSensors* one : {&to_the_right, &backward, &robot}) {
     one->rear_shows = false;
     one->shows_beside_it();
   }
@@ -117,10 +117,10 @@ TEST(GuardSensors, AScanWhosePlaneLeavesTheBandIsNoSight) {
 }
 
 TEST(GuardSensors, ALaserUpsideDownSeesTheOtherSide) {
-  Robot to_the_right, to_the_left;
+  RobotWithSensors to_the_right, to_the_left;
   Eigen::Matrix<double, 3, 4> place;
   place << 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0.2;
-  for (Robot* robot : {&to_the_right, &to_the_left}) {
+  for (RobotWithSensors* robot : {&to_the_right, &to_the_left}) {
     robot->laser_place = placing_of(place);
     robot->shows_beside_it();
   }
@@ -145,7 +145,7 @@ TEST(GuardSensors, WhatARearCameraLostClosesTheWayBack) {
 TEST(GuardSensors, ACameraThatLooksUpIsNoSight) {
   Settings settings = guard_settings();
   settings.sensors = {{"up", InputKind::Cloud, "up/points", true, {}}};
-  GuardedRobotWithSensors robot(settings);
+  GuardedRobot robot(settings);
   Eigen::Matrix<double, 3, 4> place;
   place << 0, -1, 0, 0, -1, 0, 0, 0.0, 0, 0, 1, 0.2972;
   const Scene scene;
@@ -158,18 +158,18 @@ TEST(GuardSensors, ACameraThatLooksUpIsNoSight) {
 }
 
 TEST(GuardSensors, WhatEachRemembersOutlivesTheProcessInTheirOrder) {
-  Robot before;
+  RobotWithSensors before;
   before.behind = Scene({post(0.6f, 0.0f)});
   before.drives({0.1, 0.0, 0.0});
   const auto remembered = before.control.remembered();
   ASSERT_EQ(remembered.size(), std::size_t{3});
   EXPECT_TRUE(remembered[front].empty());
   EXPECT_FALSE(remembered[rear].empty());
-  Robot after;
+  RobotWithSensors after;
   ASSERT_TRUE(after.control.recall(remembered));
   after.behind = Scene({post(0.35f, 0.0f)});
   EXPECT_EQ(after.drives({-0.1, 0.0, 0.0}).factor, 0.0);
-  EXPECT_FALSE(Robot().control.recall({remembered[rear]})) << "of another number of sensors";
+  EXPECT_FALSE(RobotWithSensors().control.recall({remembered[rear]})) << "of another number of sensors";
 }
 
 TEST(GuardSensors, TheSoonestToBeSilentIsTold) {
