@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "pose.hpp"
+
 namespace safety_control_cloud {
 namespace {
 
@@ -47,6 +49,25 @@ bool translates_away(const Eye& eye, const Twist2& twist) {
   return speed_of(twist) > 0.0 && std::abs(bearing_of(eye, twist)) > eye.half_angle + beside_view;
 }
 
+/// Where the footprint comes to by a twist and is not now.
+struct NewGround {
+  bool seen = false, unseen = false;  ///< whether any of it lies in what the eye sees, at any distance; and outside
+};
+
+NewGround new_ground_of(const Outline& outline, const Eye& eye, const Twist2& twist) {
+  NewGround ground;
+  const std::vector<Point2> boundary = boundary_of(outline);
+  for (int i = 1; i <= times && !(ground.seen && ground.unseen); ++i) {
+    const Pose2 way = way_of(twist, way_ahead * i / times);
+    const Turn turn(way.heading);
+    for (const Point2& point : boundary) {
+      const Point2 place = way.place + turn(point);
+      if (outline.signed_distance(place) > new_ground) (eye.sees(place) ? ground.seen : ground.unseen) = true;
+    }
+  }
+  return ground;
+}
+
 }  // namespace
 
 bool Eye::sees(const Point2& point) const {
@@ -65,21 +86,13 @@ Eye eye_of(const Outlook& outlook, const ScanView& scan) {
 }
 
 bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2& twist) {
-  bool new_places = false;
+  const NewGround ground = new_ground_of(outline, eye, twist);
   const bool away = translates_away(eye, twist);
-  for (const Point2& point : boundary_of(outline)) {
-    for (int i = 1; i <= times; ++i) {
-      const Point2 place = moved(point, {-twist.vx, -twist.vy, -twist.w}, way_ahead * i / times);
-      if (outline.signed_distance(place) <= new_ground) continue;
-      if (!away && eye.sees(place)) return false;
-      new_places = true;
-    }
-  }
-  return new_places;
+  return (ground.unseen && !ground.seen) || (ground.seen && away);
 }
 
 bool leads_to_where_it_looks(const Outline& outline, const Eye& eye, const Twist2& twist) {
-  if (speed_of(twist) == 0.0) return !leads_into_the_unseen(outline, eye, twist);
+  if (speed_of(twist) == 0.0) return !new_ground_of(outline, eye, twist).unseen;
   return length_of(eye.direction) > 0.0 && std::abs(bearing_of(eye, twist)) <= eye.half_angle;
 }
 

@@ -12,7 +12,9 @@ const Twist2 back{-0.6, 0.0, 0.0};
 
 /// Turned by what it is told.
 struct RobotWithoutOdometry : RobotWithOdometry {
-  RobotWithoutOdometry() { has_odometry = false; }
+  explicit RobotWithoutOdometry(const Settings& settings = remembering()) : RobotWithOdometry(settings) {
+    has_odometry = false;
+  }
 
   void turns_around(const Scene& scene, double speed = 0.5, double angle = 2.0 * quarter) {
     for (double t = 0.0; t < angle / std::abs(speed); t += 0.05) drives_on(scene, {0.0, 0.0, speed});
@@ -61,6 +63,21 @@ TEST(WithoutOdometry, WhatIsBesideItCountsForWhoDrivesSideways) {
   robot.passes(0.5, with_post);
   robot.turns_around(robot.hall, 0.5, quarter);
   EXPECT_LT(robot.asked({0.0, -0.6, 0.0}).factor, 0.95) << robot.wants({0.0, -0.6, 0.0}).reason;
+}
+
+/// The camera sees its front corners turn, and not the rear one that swings into the post. Ahead it may go all the
+/// same.
+TEST(WithoutOdometry, WhatIsBesideARectangleCountsForItsTurnInPlace) {
+  Settings rectangle = remembering();
+  rectangle.footprint.text = "[[0.2, 0.21], [-0.4, 0.21], [-0.4, -0.21], [0.2, -0.21]]";
+  for (const bool is_there : {true, false}) {
+    RobotWithoutOdometry robot(rectangle);
+    robot.passes(0.5, is_there ? Scene({post(0.5f, 0.0f)}) : Scene());
+    robot.turns_around(robot.hall, 0.5, 2.2);  // to the left: what was ahead is behind its right side
+    const Twist2 turn{0.0, 0.0, 1.0};
+    EXPECT_EQ(robot.asked(turn).factor < 0.9, is_there) << robot.wants(turn).reason;
+    EXPECT_EQ(robot.asked({0.6, 0.0, 0.0}).factor, 1.0) << robot.wants({0.6, 0.0, 0.0}).reason;
+  }
 }
 
 TEST(WithoutOdometry, OneMessageIsNone) {
