@@ -21,6 +21,7 @@ constexpr float jump = 0.06f;  // [m]
 /// The picture is asked about at most so many spots of a thing, or nearly so.
 constexpr std::size_t most_spots = 120;
 constexpr std::size_t few_pixels = 9;   // three by three
+constexpr std::size_t few_of = 500;     // of a picture, one in so many are few too
 constexpr float border = 0.03f;         // [m] within the corridor's sides
 constexpr double sparse_weight = 0.25;  // [m2] as of a pixel half a metre away
 
@@ -52,7 +53,10 @@ using Members = std::vector<Index>;
 
 class Finding {
  public:
-  explicit Finding(const NearSearch& search) : search_(search), found_(near_pixels(search)) {}
+  explicit Finding(const NearSearch& search)
+      : search_(search),
+        found_(near_pixels(search)),
+        few_(std::max(few_pixels, search.picture.width() * search.picture.height() / few_of)) {}
 
   std::vector<Thing> things() {
     connect();
@@ -172,7 +176,7 @@ class Finding {
     Members lowest(found_.slots, none);
     const std::size_t pixels_each = found_.row_step * found_.column_step;
     thing.pixels = some.size() * pixels_each;
-    thing.is_slight = search_.least_pixels > 1 && thing.pixels < few_pixels;
+    thing.is_slight = search_.least_pixels > 1 && thing.pixels < few_;
     for (const Index i : some) {
       const NearPixel& pixel = found_.pixels[i];
       thing.nearest = std::min(thing.nearest, pixel.ahead);
@@ -219,6 +223,7 @@ class Finding {
 
   const NearSearch& search_;
   const NearPixels found_;
+  const std::size_t few_;
   std::vector<float> ahead_;  ///< of each pixel
   Union runs_;
   std::vector<Index> run_;                         ///< of each pixel
