@@ -17,7 +17,7 @@ from safety_control_cloud.trials.guarded.drive import guarded_drive
 from safety_control_cloud.trials.guarded.drivers import driver_of
 from safety_control_cloud.trials.guarded.guards import Passed, TutorialGuard
 from safety_control_cloud.trials.guarded.outcome import (
-    BY_THE_LAW, FORGOTTEN, IN_VIEW, LATE, LEFT, NEVER, Hit, Judge, Moment)
+    FORGOTTEN, IN_VIEW, LATE, LEFT, NEVER, Hit, Judge, Moment, law_for)
 from safety_control_cloud.trials.guarded.replay import draw_to, replay
 from safety_control_cloud.trials.guarded.summary import is_failure, row, to_json
 from safety_control_cloud.trials.guarded.table import table_of, verdict_of
@@ -93,10 +93,22 @@ def test_the_greatest_safe_factor_is_that_of_stopping_before_the_wall():
     assert ground.greatest_factor(Velocity(0.7), Pose(yaw=pi / 2), 0.0, law) == 1.0, "along it"
 
 
+def test_what_the_guard_is_told_may_approach_may_do_so_until_the_robot_stands():
+    told = replace(WALL, settings=(("obstacle_speed", 0.3),))
+    assert (law_for(WALL).approach, law_for(told).approach) == (0.0, 0.3)
+    ground, wanted = Ground(told), Velocity(0.7)
+    factor, braking = ground.greatest_factor(wanted, Pose(), 0.0, law_for(told)), 0.7 / 0.36
+    driven = 0.7 * (factor * 0.2 + factor ** 2 * braking / 2)
+    assert driven + 0.3 * (0.2 + factor * braking) == pytest.approx(1.0 - BODY_RADIUS - 0.05, abs=0.01)
+    assert factor < ground.greatest_factor(wanted, Pose(), 0.0, law_for(WALL)) - 0.1
+    assert ground.greatest_factor(Velocity(-0.7), Pose(x=0.2), 0.0, law_for(told)) < 1.0, "it comes from behind too"
+    assert ground.greatest_factor(wanted, Pose(x=0.76), 0.0, law_for(told)) == 0.0, "nothing keeps it away"
+
+
 def test_a_rectangle_that_turns_sweeps_what_a_circle_does_not():
     beside = Scenario("post", 0, (post("post", -0.28, 0.3, 0.06),), hull=BOX)
-    assert Ground(beside).greatest_factor(Velocity(0.0, -2.0), Pose(), 0.0, BY_THE_LAW) < 1.0
-    assert Ground(replace(beside, hull=None)).greatest_factor(Velocity(0.0, -2.0), Pose(), 0.0, BY_THE_LAW) == 1.0
+    assert Ground(beside).greatest_factor(Velocity(0.0, -2.0), Pose(), 0.0, law_for(beside)) < 1.0
+    assert Ground(replace(beside, hull=None)).greatest_factor(Velocity(0.0, -2.0), Pose(), 0.0, law_for(beside)) == 1.0
 
 
 def test_distances_from_a_hull_and_the_speed_of_its_points():

@@ -26,7 +26,6 @@ JUDGED_EVERY = 4  # pictures
 LEAST = 0.02  # a greatest factor below this is standing
 AHEAD = 0.05  # [m/s] more than this is going forward, where the camera looks
 SEEING = "SEEN"  # the cause of an answer by what is seen
-BY_THE_LAW = Law(REACTION, MARGIN)
 
 IN_VIEW, LEFT, LATE, FORGOTTEN, NEVER = KINDS = (
     "in view",  # where the camera looks, or nearer than it can see; returned in time to stop
@@ -116,6 +115,7 @@ class Judge:
         self._scenario, self._method = scenario, method
         self._things = {thing.name: thing for thing in scenario.things}
         self._ground, self._sightings = Ground(scenario), Sightings()
+        self._law = law_for(scenario)
         self._touching: dict[str, float] = {}  # thing: [s] when last
         self._touches: list[Touch] = []
         self._shares: dict[str, list[float]] = {"ahead": [], "seeing": [], "elsewhere": []}
@@ -164,7 +164,7 @@ class Judge:
     def _weigh(self, moment: Moment) -> None:
         """What was given against what could have been."""
         passed, wanted = moment.passed, moment.passed.wanted
-        greatest = self._ground.greatest_factor(wanted, moment.pose, moment.time, BY_THE_LAW)
+        greatest = self._ground.greatest_factor(wanted, moment.pose, moment.time, self._law)
         if greatest is None or greatest < LEAST:
             return
         share = min(1.0, passed.factor / greatest)
@@ -178,6 +178,11 @@ class Judge:
             self._safe += 1
             self._whole += passed.is_whole
             self._lost += not passed.is_whole and passed.cause != SEEING
+
+
+def law_for(scenario: Scenario) -> Law:
+    """What the guard is to keep to, for it has been told so."""
+    return Law(REACTION, MARGIN, dict(scenario.settings).get("obstacle_speed", 0.0))
 
 
 def _kind_of(hit: Hit, sightings: list[Sighting], before: Moment) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import ceil, cos, hypot, sin, sqrt
+from math import ceil, cos, hypot, sin
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,23 +21,43 @@ SPACING = 0.01  # [m] between two points of a thing's outline
 LOWEST = 0.05  # [m] above the floor: what is lower is none of the guard's business
 
 
+SHARES = np.linspace(1.0, 0.0, 201)  # of a wish that are tried, the greatest first
+
+
 @dataclass(frozen=True)
 class Law:
-    """By which a robot is to be able to stop: `reaction` [s] after the moment, `margin` [m] before what is there."""
+    """By which a robot is to be able to stop: `reaction` [s] after the moment, `margin` [m] before what is there.
+
+    approach [m/s]: that of anything, until the robot stands.
+    """
 
     reaction: float
     margin: float
+    approach: float = 0.0
 
-    def greatest(self, time: float, wanted: Velocity) -> float:
-        """The greatest s <= 1 with s T + s^2 t_b / 2 <= `time` [s] until the wanted motion touches something."""
-        braking = max(abs(wanted.linear) / DRIVER.deceleration, abs(wanted.angular) / DRIVER.angular)
-        if time >= self.reaction + braking / 2:
-            return 1.0
-        return (sqrt(self.reaction ** 2 + 2 * braking * time) - self.reaction) / braking if time > 0 else 0.0
+    def greatest(self, distances: NDArray[np.float64], wanted: Velocity) -> float:
+        """The greatest share s of the wanted motion, of SHARES, with which nothing comes nearer than the margin.
+
+        distances: (n,) [m] least so far from the hull, at even times from 0 to `horizon`. Driven at s, s T + s^2 t_b / 2
+        of the motion is used up in T + s t_b.
+        """
+        braking = self._braking(wanted)
+        used = SHARES * self.reaction + SHARES ** 2 * braking / 2
+        last = np.ceil(used / self.horizon(wanted) * (len(distances) - 1) - 1e-9).astype(int)
+        keeps = distances[last] > self.margin + self.approach * (self.reaction + SHARES * braking)
+        return float(SHARES[keeps.argmax()]) if keeps.any() else 0.0
 
     def horizon(self, wanted: Velocity) -> float:
-        """[s] beyond which a contact takes nothing from the wish."""
-        return self.reaction + max(abs(wanted.linear) / DRIVER.deceleration, abs(wanted.angular) / DRIVER.angular) / 2
+        """[s] of the wanted motion that are used up by driving it whole, and stopping."""
+        return self.reaction + self._braking(wanted) / 2
+
+    def farthest(self, wanted: Velocity) -> float:
+        """[m] by which anything may come nearer meanwhile."""
+        return self.approach * (self.reaction + self._braking(wanted))
+
+    @staticmethod
+    def _braking(wanted: Velocity) -> float:
+        return max(abs(wanted.linear) / DRIVER.deceleration, abs(wanted.angular) / DRIVER.angular)
 
 
 class Ground:
@@ -53,16 +73,14 @@ class Ground:
         horizon = law.horizon(wanted)
         if fastest < 0.02:
             return None
-        points = self._near(pose, now, _reach(self._hull) + law.margin + fastest * horizon)
+        points = self._near(pose, now, _reach(self._hull) + law.margin + fastest * horizon + law.farthest(wanted))
         if not len(points):
             return 1.0
         if from_hull(self._hull, points).min() <= law.margin:
             return None
         times = np.linspace(0.0, horizon, ceil(fastest * horizon / STEP) + 1)
-        for time in times[1:]:
-            if from_hull(self._hull, _seen_after(points, wanted, time)).min() <= law.margin:
-                return law.greatest(time, wanted)
-        return 1.0
+        nearest = [from_hull(self._hull, _seen_after(points, wanted, time)).min() for time in times]
+        return law.greatest(np.minimum.accumulate(nearest), wanted)
 
     def clearance(self, pose: Pose, now: float, farthest: float = 0.5) -> float:
         """[m] from the hull to the nearest outline; at most `farthest`."""
