@@ -27,10 +27,10 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 /// Where else there is such a thing.
-std::string elsewhere(const Wanted& wanted, const std::vector<Published>& published) {
+std::string elsewhere(const Wanted& wanted, const std::vector<Published>& published, const std::string& own) {
   std::vector<std::string> others;
   for (const Published& one : published) {
-    if (one.topic != wanted.topic && one.type == wanted.type) others.push_back(one.topic);
+    if (one.topic != wanted.topic && one.topic != own && one.type == wanted.type) others.push_back(one.topic);
   }
   if (others.empty()) return "";
   return words("; ", wanted.type, " is published on ", joined(others), ": remap to it, if that is meant");
@@ -66,13 +66,14 @@ std::optional<std::vector<Published>> all_published() {
 
 }  // namespace
 
-std::string why_nothing_came(const std::vector<Wanted>& wanted, const std::vector<Published>& published) {
+std::string why_nothing_came(const std::vector<Wanted>& wanted, const std::vector<Published>& published,
+                             const std::string& own) {
   for (const Wanted& one : wanted) {
     const Published* found = publication_of(one, published);
-    if (!found) return words("nobody publishes ", one.topic, elsewhere(one, published));
+    if (!found) return words("nobody publishes ", one.topic, elsewhere(one, published, own));
     if (found->type != one.type) {
       return words(joined(found->nodes), " publishes ", one.topic, " as ", found->type, ", not as ", one.type,
-                   elsewhere(one, published));
+                   elsewhere(one, published, own));
     }
   }
   const auto& nodes = publication_of(wanted.front(), published)->nodes;
@@ -80,8 +81,11 @@ std::string why_nothing_came(const std::vector<Wanted>& wanted, const std::vecto
                joined(nodes), ", and nothing has come from there");
 }
 
-Awaited::Awaited(std::vector<Wanted> wanted)
-    : wanted_(std::move(wanted)), why_("on " + wanted_.front().topic), thread_([this] { ask(); }) {}
+Awaited::Awaited(std::vector<Wanted> wanted, std::string own)
+    : wanted_(std::move(wanted)),
+      own_(std::move(own)),
+      why_("on " + wanted_.front().topic),
+      thread_([this] { ask(); }) {}
 
 Awaited::~Awaited() {
   has_come();
@@ -107,7 +111,7 @@ void Awaited::ask() {
   while (!ending_) {
     lock.unlock();
     const auto published = all_published();
-    std::string why = published ? why_nothing_came(wanted_, *published) : "the ROS master does not answer";
+    std::string why = published ? why_nothing_came(wanted_, *published, own_) : "the ROS master does not answer";
     lock.lock();
     why_ = std::move(why);
     if (!ending_) came_.wait_for(lock, period);

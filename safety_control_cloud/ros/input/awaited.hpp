@@ -20,14 +20,15 @@ struct Wanted {
 };
 
 /// Why what is wanted may not have come: who publishes it, as what, and where else there is such a thing. Of several
-/// that are wanted together, the first that nobody sends.
-std::string why_nothing_came(const std::vector<Wanted>& wanted, const std::vector<Published>& published);
+/// that are wanted together, the first that nobody sends. `own`: a topic on which the node answers, and no input.
+std::string why_nothing_came(const std::vector<Wanted>& wanted, const std::vector<Published>& published,
+                             const std::string& own = {});
 
 /// Knows why topics are silent, until something comes. The master may take any time to answer, so it is asked from a
 /// thread of its own, which ends with the first message.
 class Awaited {
  public:
-  explicit Awaited(std::vector<Wanted> wanted);
+  Awaited(std::vector<Wanted> wanted, std::string own);
   ~Awaited();
 
   /// Why nothing has come, as far as is known. Returns at once.
@@ -40,6 +41,7 @@ class Awaited {
   void ask();
 
   const std::vector<Wanted> wanted_;
+  const std::string own_;
   mutable std::mutex mutex_;
   std::condition_variable came_;
   std::string why_;

@@ -20,6 +20,13 @@ TEST(Awaited, ThePlaceWhereSuchAThingIsPublishedIsNamed) {
       " that is meant");
 }
 
+TEST(Awaited, WhatTheNodeItselfPublishesIsNoInput) {
+  const Published crop{"/output", cloud, {"/safety_control_node"}}, camera{"/camera/depth/points", cloud, {"/camera"}};
+  EXPECT_EQ(why_nothing_came(clouds, {crop}, "/output"), "nobody publishes /robot/points");
+  const std::string with_camera = why_nothing_came(clouds, {crop, camera}, "/output");
+  EXPECT_NE(with_camera.find("is published on /camera/depth/points: remap"), std::string::npos) << with_camera;
+}
+
 TEST(Awaited, ATypeThatDoesNotFitIsNamedWithItsPublisher) {
   EXPECT_EQ(why_nothing_came(clouds, {{topic, image, {"/camera"}}}),
             "/camera publishes /robot/points as sensor_msgs/Image, not as sensor_msgs/PointCloud2");
