@@ -16,6 +16,7 @@ from typing import Any, Dict, Iterator, List
 import pyarrow.parquet as pq
 import pytest
 from drives import wall, write_drive
+from guard_drives import driven_at_wall
 
 distributed = pytest.importorskip("distributed", reason="Dask is not installed (scripts/setup --with cluster)")
 s3fs = pytest.importorskip("s3fs", reason="s3fs is not installed (scripts/setup --with s3)")
@@ -26,19 +27,28 @@ COMPARED = ("topic", "number", "time", "stamp", "zone", "cause", "reason", "near
 BAGS, DAMAGED = 40, 3
 
 
-@pytest.fixture
-def bucket(monkeypatch) -> Iterator[str]:
-    """s3://bags on a server that runs here; the environment leads there."""
+@pytest.fixture(scope="module")
+def server() -> Iterator[Dict[str, str]]:
+    """What leads to an S3 server that runs here, in the environment; it has a bucket."""
     server = pytest.importorskip("moto.server", reason="moto is not installed (scripts/setup --checks)").ThreadedMotoServer(
         ip_address="127.0.0.1", port=0)
     server.start()
     host, port = server.get_host_and_port()
-    for name, value in {"AWS_ENDPOINT_URL": f"http://{host}:{port}", "AWS_ACCESS_KEY_ID": "test",
-                        "AWS_SECRET_ACCESS_KEY": "test", "AWS_DEFAULT_REGION": "us-east-1"}.items():
-        monkeypatch.setenv(name, value)
-    s3fs.S3FileSystem().mkdir("bags")
-    yield "s3://bags"
+    environment = {"AWS_ENDPOINT_URL": f"http://{host}:{port}", "AWS_ACCESS_KEY_ID": "test",
+                   "AWS_SECRET_ACCESS_KEY": "test", "AWS_DEFAULT_REGION": "us-east-1"}
+    with pytest.MonkeyPatch.context() as patch:
+        for name, value in environment.items():
+            patch.setenv(name, value)
+        s3fs.S3FileSystem().mkdir("bags")
+    yield environment
     server.stop()
+
+
+@pytest.fixture
+def bucket(server, monkeypatch) -> str:
+    for name, value in server.items():
+        monkeypatch.setenv(name, value)
+    return "s3://bags"
 
 
 @pytest.fixture(scope="module")
@@ -132,6 +142,24 @@ def test_bags_on_s3_are_judged_where_they_are_and_known_by_their_checksum(tmp_pa
     assert (result.returncode, again.returncode) == (1, 1), result.stderr + again.stderr
     assert clouds(tmp_path / "remote") == clouds(tmp_path / "local")
     assert len(before) == 3 and {file: file.stat().st_mtime_ns for file in before} == before
+
+
+@pytest.mark.slow
+def test_bags_on_s3_are_judged_in_mode_guard_as_they_are_here(tmp_path, bucket):
+    here = tmp_path / "here"
+    here.mkdir()
+    for number in range(2):
+        write_drive(here / f"{number}.bag", driven_at_wall(2.0, gap=0.9 + 0.6 * number, sensors=("camera", "laser")))
+        s3fs.S3FileSystem().put(str(here / f"{number}.bag"), f"bags/guarded/{number}.bag")
+
+    local, remote = (judge(place, "--mode", "guard", "--out", tmp_path / name) for place, name in
+                     ((here, "local"), (f"{bucket}/guarded", "remote")))
+
+    assert (local.returncode, remote.returncode) == (0, 0), local.stderr + remote.stderr
+    answers = [pq.read_table(tmp_path / name / "guard" / "answers").to_pydict() for name in ("local", "remote")]
+    assert answers[0]["factor"] and min(answers[0]["factor"]) < 1.0
+    same = [name for name in answers[0] if name not in ("path", "bag")]
+    assert {name: answers[1][name] for name in same} == {name: answers[0][name] for name in same}
 
 
 def test_a_store_that_cannot_be_reached_costs_the_bags_their_rows(tmp_path, monkeypatch):
