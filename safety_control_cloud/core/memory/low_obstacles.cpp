@@ -38,6 +38,7 @@ std::vector<std::int16_t> stretched(std::vector<std::int16_t> columns, std::size
 
 std::optional<Loss> LowObstacles::judge(const NearGround& ground, const Pixels& picture, const Outlook& outlook) {
   survey(ground);
+  if (std::exchange(is_corridor_new_, false)) drop_what_lies_beside(ground, picture, outlook);
   const auto any_post = [&](auto fulfils) { return any_adjacent(post_share_of_width, ground.columns(), fulfils); };
   if (!any_post([this](std::size_t i) { return is_step(i); })) return std::nullopt;
   const bool whole = any_post([this](std::size_t i) { return hides_floor(i); });
@@ -72,6 +73,17 @@ bool LowObstacles::hides_floor(std::size_t column) const {
   if (!is_step(column)) return false;
   if (lowest_[column] == none) return true;  // nothing says that the floor is there again
   return lowest_[column] + floor_tolerance < floor_[column];
+}
+
+/// By what its column shows lowest.
+void LowObstacles::drop_what_lies_beside(const NearGround& ground, const Pixels& picture, const Outlook& outlook) {
+  for (std::size_t i = 0; i < ground.columns(); ++i) {
+    std::size_t row = 0;
+    while (row < ground.rows() && ground.row(row)[i] == NearGround::nothing) ++row;
+    if (row == ground.rows() || ground.row(row)[i] != NearGround::elsewhere) continue;
+    const Point place = placed(picture.at(ground.picture_row(row), ground.picture_column(i)), outlook);
+    if (place.x < outlook.corridor.x_min || place.x > outlook.corridor.x_max) floor_[i] = 0;
+  }
 }
 
 std::optional<Obstacle> LowObstacles::nearest(const NearGround& ground, const Pixels& picture,

@@ -24,6 +24,9 @@ class LowObstacles {
   /// if it is so near that the floor before it is not seen any more.
   std::optional<Loss> judge(const NearGround& ground, const Pixels& picture, const Outlook& outlook);
 
+  /// The corridor is another one. What is kept stays, but where the next cloud shows that it lies beside it.
+  void change_corridor() { is_corridor_new_ = true; }
+
   /// Of each column, the floor before a step that is kept [mm below the camera]; 0 if there is none.
   const std::vector<NearGround::Code>& floor() const { return floor_; }
   void restore(std::vector<NearGround::Code> floor) { floor_ = std::move(floor); }
@@ -35,6 +38,7 @@ class LowObstacles {
   void look_at_row(const Millimetres* codes);
   bool is_step(std::size_t column) const { return floor_[column] > 0; }
   bool hides_floor(std::size_t column) const;
+  void drop_what_lies_beside(const NearGround& ground, const Pixels& picture, const Outlook& outlook);
   /// Of what the columns that show a step have lowest on it; none if all of it has gone out of the picture.
   std::optional<Obstacle> nearest(const NearGround& ground, const Pixels& picture, const Outlook& outlook) const;
 
@@ -42,6 +46,7 @@ class LowObstacles {
   std::vector<Millimetres> floor_;   ///< before the step; 0 if there is no step
   std::vector<Millimetres> lowest_;  ///< the near ground that the lowest pixel of it shows now
   std::vector<std::int16_t> above_;  ///< pixels that show ground a step above `lowest_`
+  bool is_corridor_new_ = false;     ///< and no cloud has come since
 };
 
 }  // namespace safety_control_cloud

@@ -60,11 +60,6 @@ std::optional<Loss> nearer(const std::optional<Loss>& one, const std::optional<L
 
 void NearLoss::forget() { *this = NearLoss(limits_); }
 
-void NearLoss::change_corridor() {
-  floor_ = FloorStrip{};
-  low_ = LowObstacles{};
-}
-
 Rows NearLoss::rows_for(const View& view) const {
   return limits_.distance > 0.0 && is_picture(view) ? Rows::Apart : Rows::Joined;
 }

@@ -41,9 +41,8 @@ class NearLoss {
   /// Goes on with what was written down; false, and nothing changes, if that makes no sense.
   bool restore(const std::string& text);
 
-  /// The corridor is another one: what came near is judged by it from now on, all else that was seen says nothing of
-  /// it.
-  void change_corridor();
+  /// The corridor is another one: what is remembered is judged by it from now on.
+  void change_corridor() { low_.change_corridor(); }
 
   /// Whether look() is to tell the rows of this cloud apart: judge() asks for the nearest in each.
   Rows rows_for(const View& view) const;

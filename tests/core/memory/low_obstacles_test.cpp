@@ -114,6 +114,34 @@ TEST(LowObstacles, AKerbOutlivesAChangeOfResolution) {
   EXPECT_EQ(robot.sees(halved(Scene().view())).speed, 0.2);
 }
 
+/// Somebody turns a knob while the robot stands before a kerb that hides the floor.
+TEST(LowObstacles, AKerbOutlivesAChangeOfTheCorridorThatHoldsItStill) {
+  for (const float x_max : {0.31f, 0.4f, 0.29f}) {
+    for (const float y_max : {0.2f, 0.205f, 0.15f}) {
+      Robot robot;
+      for (const float z : {0.74f, 0.72f, 0.70f}) robot.sees(with_plateau(z, 0.05f));
+      ASSERT_EQ(robot.sees(with_plateau(0.6f, 0.05f)).speed, 0.0);
+      Settings other;
+      other.corridor.x_max = x_max, other.corridor.y_max = y_max;
+      robot.control().adopt(other);
+      for (int i = 0; i < 10; ++i)
+        EXPECT_EQ(robot.sees(with_plateau(0.6f, 0.05f)).cause, Cause::LowObstacle) << x_max << ", " << y_max;
+      EXPECT_EQ(robot.sees(Scene()).speed, 0.2);
+    }
+  }
+}
+
+TEST(LowObstacles, AKerbBesideANewCorridorIsNone) {
+  Robot robot;
+  const auto beside = [](float z) { return Board{z, 0.15f, 0.3f, floor_y - 0.05f, floor_y}; };
+  for (const float z : {0.74f, 0.72f, 0.70f}) robot.sees({beside(z)});
+  ASSERT_EQ(robot.sees({beside(0.62f)}).speed, 0.0);
+  Settings narrow;
+  narrow.corridor.x_max = 0.1f;
+  robot.control().adopt(narrow);
+  EXPECT_EQ(robot.sees({beside(0.62f)}).speed, 0.2);
+}
+
 TEST(LowObstacles, RobotDrivesOverWhatItCanClimb) {
   Robot robot;
   for (float z = 0.8f; z > 0.4f; z -= 0.01f) EXPECT_EQ(robot.sees({kerb(z, 0.012f)}).speed, 0.2) << z;
