@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "../../safety_control_cloud/core/guard_control.hpp"
@@ -42,6 +43,29 @@ TEST(GuardSensors, ALaserSeesBesideAndBehind) {
   EXPECT_NEAR(left.point->y, 0.35, 0.03);
   EXPECT_EQ(to_the_right.drives({0.0, -0.3, 0.0}).factor, 1.0);
   EXPECT_EQ(backward.drives({-0.3, 0.0, 0.0}).factor, 1.0) << "the laser looks there";
+}
+
+/// Some drivers count bearings from 0 to a whole turn.
+TEST(GuardSensors, ALaserSeesWhatHasGoneFromWhereverItsBearingsBegin) {
+  for (const double first : {-pi, 0.0, -0.5 * pi}) {
+    for (const std::size_t bearing : {30, 100, 200, 290, 345}) {  // [degrees] from the first on
+      RobotWithSensors robot;
+      robot.first_bearing = first;
+      const auto stands = [&] {
+        for (int i = 0; i < 20; ++i) {
+          robot.control.note_odometry(robot.now.ros, {}, {});
+          robot.drives_on({});
+        }
+      };
+      for (std::size_t i = 0; i < 7; ++i) robot.ranges[bearing + i] = 0.45f;
+      stands();
+      std::fill(robot.ranges.begin(), robot.ranges.end(), 5.0f);
+      stands();
+      const double there = first + static_cast<double>(bearing + 3) * pi / 180.0;
+      const Guarded& answer = robot.wants({0.3 * std::cos(there), 0.3 * std::sin(there), 0.0});
+      EXPECT_EQ(answer.factor, 1.0) << first << ", " << bearing << ": " << answer.sensor << ", " << answer.reason;
+    }
+  }
 }
 
 TEST(GuardSensors, OneThatIsRequiredAndInDoubtStopsEveryMotion) {

@@ -42,6 +42,7 @@ struct RobotWithSensors : GuardedRobot {
   Scene ahead, behind;
   std::vector<float> ranges = std::vector<float>(360, 5.0f);
   ScanPoints scans;
+  double first_bearing = -pi;
   Placing laser_place = laser_at(0.2);
   double rear_heading = pi;
   bool front_shows = true, rear_shows = true, laser_shows = true;
@@ -53,7 +54,8 @@ struct RobotWithSensors : GuardedRobot {
 
   void see_scan() {
     Scan scan;
-    scan.angle_min = -pi, scan.angle_increment = 2.0 * pi / 360.0, scan.angle_max = pi - scan.angle_increment;
+    scan.angle_min = first_bearing, scan.angle_increment = 2.0 * pi / 360.0;
+    scan.angle_max = first_bearing + 2.0 * pi - scan.angle_increment;
     scan.scan_time = 0.1, scan.range_min = 0.1, scan.range_max = 10.0;
     scan.ranges = ranges.data(), scan.size = ranges.size();
     control.see(scans.of(scan), {now.ros, laser_place, "laser", "laser"}, now, laser);
@@ -61,13 +63,16 @@ struct RobotWithSensors : GuardedRobot {
 
   /// As somebody says it again and again, and sensors that show the same; until it has settled.
   const Guarded& drives(const Twist2& twist) {
-    for (int i = 0; i < 10; ++i) {
-      pass(0.05);
-      if (front_shows) see(ahead.view(), xtion(), front);
-      if (rear_shows) see(behind.view(), turned_xtion(rear_heading), rear);
-      if (laser_shows) see_scan();
-      wants(twist);
-    }
+    for (int i = 0; i < 10; ++i) drives_on(twist);
+    return wants(twist);
+  }
+
+  /// One look of each long.
+  const Guarded& drives_on(const Twist2& twist) {
+    pass(0.05);
+    if (front_shows) see(ahead.view(), xtion(), front);
+    if (rear_shows) see(behind.view(), turned_xtion(rear_heading), rear);
+    if (laser_shows) see_scan();
     return wants(twist);
   }
 };
