@@ -43,11 +43,19 @@ std::optional<Pose2> GuardMemory::note(std::size_t sensor, const Look& look, con
   choose_whereabouts(look.stamp, went, now);
   const auto robot = whereabouts_at(now.ros - look.stamp, went, now);
   if (robot) {
-    out_of_sight_.note(sensor, look, *robot, now.steady);
+    out_of_sight_.note(sensor, look, *robot, now.steady, way_during(look, went, now));
   } else {
     out_of_sight_.note_unplaced(sensor, now.steady);
   }
   return by_odometry_ && robot ? std::optional(robot->pose) : std::nullopt;
+}
+
+/// None of what is taken at once. Some stamp a scan when it ends.
+Pose2 GuardMemory::way_during(const Look& look, const Went& went, const Instant& now) const {
+  if (look.lasts == 0.0) return {};
+  const double begun = std::max(now.ros - look.stamp, look.lasts);  // [s] ago
+  const auto first = whereabouts_at(begun, went, now), last = whereabouts_at(begun - look.lasts, went, now);
+  return first && last ? between(first->pose, last->pose) : Pose2{};
 }
 
 /// By odometry once it goes on, with what was remembered until then; if it falls silent, by what the base is told, but

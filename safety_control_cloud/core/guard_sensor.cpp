@@ -123,7 +123,7 @@ Look GuardSensor::take(const Reading& reading, const Origin& origin, const Insta
       Taken{now, on_its_way, scan ? scan->lasts : 0.0, eye, field, outlook, given.reckoned_at(now.steady - on_its_way)};
   const double measures_from =
       own_.input == InputKind::Scan ? least_of_scan : own_.near_loss.blind_range + least_beyond;
-  return {reading, view, outlook, now.ros - on_its_way, measures_from};
+  return {reading, view, outlook, now.ros - on_its_way, measures_from, taken_->lasts};
 }
 
 /// None too if more is lost than it tells of.

@@ -15,6 +15,7 @@ constexpr int around_circle = 24, times = 8;
 constexpr double way_ahead = 1.0;      ///< [s] of a twist: its direction counts, not how far it leads
 constexpr double new_ground = 2e-3;    ///< [m] from where the footprint is now
 constexpr double beside_view = 1.05;   ///< [rad] beyond which a way leads out of the picture
+constexpr double seam = 0.1;           ///< [rad] between the last beam of a whole turn and the first
 constexpr double straight = 0.1;       ///< [rad/m] a driver's hand is not steadier
 constexpr double least_away = 0.7071;  ///< cosine: half a right angle to each side
 
@@ -80,9 +81,10 @@ Eye eye_of(const Outlook& outlook, const FieldOfView& field) {
 }
 
 Eye eye_of(const Outlook& outlook, const ScanView& scan) {
-  const double middle = 0.5 * (scan.first + scan.last);
+  const bool all_around = scan.last - scan.first > 2.0 * pi - seam;
+  const double middle = all_around ? 0.0 : 0.5 * (scan.first + scan.last);
   const Point ahead{static_cast<float>(std::cos(middle)), static_cast<float>(std::sin(middle)), 0.0f};
-  return towards(outlook, ahead, 0.5 * (scan.last - scan.first));
+  return towards(outlook, ahead, all_around ? pi : 0.5 * (scan.last - scan.first));
 }
 
 bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2& twist) {

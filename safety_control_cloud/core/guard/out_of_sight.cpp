@@ -36,14 +36,15 @@ Point in_axes(const Point2& place, float height) {
 
 }  // namespace
 
-void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now) {
+void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now,
+                      const Pose2& meanwhile) {
   looks_.take_placed(sensor, robot, now);
   drop_what_is_over(now);
   if (!remembers()) return places_.clear();
   const SeenAt seen_at(look.reading, look.view);
   if (!seen_at.can_tell()) return;
-  keep_near(look, robot.pose, now);
-  drop_what_has_gone(look, seen_at, robot, now);
+  keep_near(look, robot.pose, now, meanwhile);
+  drop_what_has_gone(look, seen_at, robot, now, meanwhile);
 }
 
 void OutOfSight::note_unplaced(std::size_t sensor, double now) {
@@ -63,11 +64,13 @@ const LooksTaken::Taken* OutOfSight::shown_by(const Place& place, double now) co
   return look && now - look->at <= limits_.time ? look : nullptr;
 }
 
-void OutOfSight::keep_near(const Look& look, const Pose2& pose, double now) {
+void OutOfSight::keep_near(const Look& look, const Pose2& pose, double now, const Pose2& meanwhile) {
   const Pixels pixels(look.view, look.outlook.corridor.range_min);
   const bool is_scan = std::holds_alternative<ScanView>(look.reading);
   const std::size_t across = is_scan ? 1 : step_for(pixels.width(), columns), down = step_for(pixels.height(), rows);
-  const Turn turn(pose.heading);
+  const bool moved = displacement(meanwhile, 1.0) > 0.0;
+  Pose2 then = pose;
+  Turn turn(pose.heading);
   PixelRow row;
   for (std::size_t r = 0; r < pixels.height(); r += down) {
     pixels.read(r, across, look.outlook, row);
@@ -77,16 +80,20 @@ void OutOfSight::keep_near(const Look& look, const Pose2& pose, double now) {
       const bool counts = height >= limits_.bottom && height <= limits_.top &&
                           dot(place, place) <= limits_.distance * limits_.distance;  // of NaN, false
       if (!counts || is_own(limits_.self, place.x, place.y, height)) continue;
-      keep(pose.place + turn(place), height, now);
+      if (moved) {  // each at its own moment, in their order
+        then = beyond(pose, shared(meanwhile, static_cast<double>(i) / static_cast<double>(row.z.size())));
+        turn = Turn(then.heading);
+      }
+      keep(then.place + turn(place), height, now, displacement(meanwhile, length_of(place)));
     }
   }
 }
 
-void OutOfSight::keep(const Point2& place, float height, double now) {
+void OutOfSight::keep(const Point2& place, float height, double now, double off) {
   const std::uint64_t key = key_of(place, height);
   const auto found = places_.find(key);
   if (found == places_.end() && places_.size() >= most) return;
-  Place kept{place.x, place.y, height, looks_.latest(), now};
+  Place kept{place.x, place.y, height, looks_.latest(), now, off};
   if (found != places_.end()) {
     kept.first_seen = found->second.first_seen;
     kept.looks = looks_of(found->second);
@@ -117,7 +124,8 @@ std::uint8_t OutOfSight::looks_of(const Place& before) const {
 }
 
 /// Where nobody knows quite where the robot is, only what would be shown wherever that is.
-void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Whereabouts& robot, double now) {
+void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Whereabouts& robot, double now,
+                                    const Pose2& meanwhile) {
   const SeenAfter seen_after(robot.pose);
   WaySince way_since(looks_, robot);
   const auto from_camera = [&](const Point2& here, float height) {
@@ -130,12 +138,13 @@ void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, con
       continue;
     }
     const Point2 here = seen_after({place.x, place.y});
-    const double beside = way_since.beside(place.look, length_of(here));
+    const double range = length_of(here), beside = way_since.beside(place.look, range) + displacement(meanwhile, range);
     const Point there = from_camera(here, place.z);
-    AtPlace seen = seen_at(there, beside);
+    const double aside = std::abs(meanwhile.heading) + length_of(meanwhile.place) / std::max(range, own_size);
+    AtPlace seen = seen_at(there, beside, aside);
     for (const Pose2& way : way_since.or_else(place.look)) {
       if (seen == AtPlace::NotThere) break;
-      seen = std::min(seen, seen_at(from_camera(SeenAfter(way)(here), place.z), beside));
+      seen = std::min(seen, seen_at(from_camera(SeenAfter(way)(here), place.z), beside, aside));
     }
     const bool is_measured = there.getVector3fMap().norm() >= static_cast<float>(look.measures_from + beside);
     it = has_gone(place, seen, is_measured, now) ? places_.erase(it) : std::next(it);

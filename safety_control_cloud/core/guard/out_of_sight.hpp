@@ -24,6 +24,7 @@ struct Look {
   Outlook outlook;
   double stamp;          ///< [s] ROS time, of when it was taken
   double measures_from;  ///< [m] from here on, what is there returns
+  double lasts = 0.0;    ///< [s] from its first return to its last
 };
 
 /// What is kept of what has left the picture.
@@ -48,7 +49,8 @@ class OutOfSight {
 
   /// What `sensor` shows, the robot being there in the resting frame. `now` [s] steady. Of a cloud that is not
   /// organised nothing is kept: nobody could tell what is seen behind it.
-  void note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now);
+  /// `meanwhile`: the way that the robot went while the look was being taken.
+  void note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now, const Pose2& meanwhile = {});
 
   /// `sensor` shows something, and nobody knows from where.
   void note_unplaced(std::size_t sensor, double now);
@@ -80,7 +82,7 @@ class OutOfSight {
     float z;             ///< [m] above base_frame
     std::uint64_t look;  ///< the latest that showed it
     double first_seen;   ///< [s] steady
-    double off = 0.0;    ///< [m] by which it may have been displaced before this frame rested
+    double off = 0.0;    ///< [m] by which it may have been displaced as it was seen, or before this frame rested
     std::uint8_t looks = 1, away = 0;
     std::optional<double> absent_since = std::nullopt;  ///< [s] steady
   };
@@ -96,11 +98,12 @@ class OutOfSight {
   bool counts(const Place& place, double now) const;
   template <class Visit>
   void for_each(const Whereabouts& robot, double now, Visit visit) const;
-  void keep_near(const Look& look, const Pose2& pose, double now);
-  void keep(const Point2& place, float height, double now);
+  void keep_near(const Look& look, const Pose2& pose, double now, const Pose2& meanwhile);
+  void keep(const Point2& place, float height, double now, double off);
   std::uint8_t looks_of(const Place& before) const;
   std::uint8_t looks_beside(const Point2& place, double height) const;
-  void drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Whereabouts& robot, double now);
+  void drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Whereabouts& robot, double now,
+                          const Pose2& meanwhile);
   bool has_gone(Place& place, AtPlace seen, bool is_measured, double now) const;
 
   OutOfSightLimits limits_;

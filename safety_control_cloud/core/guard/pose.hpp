@@ -37,6 +37,9 @@ inline Pose2 beyond(const Pose2& from, const Pose2& way) {
   return {from.place + turned(way.place, from.heading), from.heading + way.heading};
 }
 
+/// A share of a way that is not long.
+inline Pose2 shared(const Pose2& way, double share) { return {share * way.place, share * way.heading}; }
+
 /// How far a twist leads in `time` [s].
 inline Pose2 way_of(const Twist2& twist, double time) {
   return {moved({}, {-twist.vx, -twist.vy, -twist.w}, time), twist.w * time};

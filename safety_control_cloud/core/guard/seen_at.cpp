@@ -52,6 +52,13 @@ std::optional<FieldOfView> picture_in(const Reading& reading, const View& view) 
   return seen ? std::optional(*seen) : std::nullopt;
 }
 
+/// [rad] from the first bearing on, in whichever turn that lies.
+double bearing_in(const ScanView& scan, const Point& place) {
+  constexpr double turn = 2.0 * 3.14159265358979323846;
+  const double beyond = std::fmod(std::atan2(place.y, place.x) - scan.first, turn);
+  return scan.first + (beyond < 0.0 ? beyond + turn : beyond);
+}
+
 }  // namespace
 
 SeenAt::SeenAt(const Reading& reading, const View& view)
@@ -59,8 +66,8 @@ SeenAt::SeenAt(const Reading& reading, const View& view)
       picture_(picture_in(reading, view)),
       scan_(std::get_if<ScanView>(&reading)) {}
 
-AtPlace SeenAt::operator()(const Point& place, double off) const {
-  if (scan_) return in_scan(place, off);
+AtPlace SeenAt::operator()(const Point& place, double off, double aside) const {
+  if (scan_) return in_scan(place, off, aside);
   return picture_ ? in_picture(place, off) : AtPlace::NotThere;
 }
 
@@ -88,15 +95,17 @@ AtPlace SeenAt::in_picture(const Point& place, double off) const {
   return around.answer();
 }
 
-AtPlace SeenAt::in_scan(const Point& place, double off) const {
-  const double distance = std::hypot(place.x, place.y), bearing = std::atan2(place.y, place.x);
-  if (std::abs(place.z) > in_plane || bearing < scan_->first || bearing > scan_->last || pixels_.width() < 2)
+AtPlace SeenAt::in_scan(const Point& place, double off, double aside) const {
+  const double distance = std::hypot(place.x, place.y), bearing = bearing_in(*scan_, place);
+  if (std::abs(place.z) > in_plane || bearing - aside < scan_->first || bearing + aside > scan_->last ||
+      pixels_.width() < 2)
     return AtPlace::NotThere;
   const auto last = static_cast<std::ptrdiff_t>(pixels_.width()) - 1;
-  const double share = (bearing - scan_->first) / (scan_->last - scan_->first);
-  const auto at = static_cast<std::ptrdiff_t>(std::lround(share * static_cast<double>(last)));
+  const double beams_each = static_cast<double>(last) / (scan_->last - scan_->first);  // [1/rad]
+  const auto at = static_cast<std::ptrdiff_t>(std::lround((bearing - scan_->first) * beams_each));
+  const auto most = static_cast<std::ptrdiff_t>(std::ceil(1.0 + aside * beams_each));
   Around around(distance, off);
-  for (std::ptrdiff_t beside = -1; beside <= 1; ++beside) {
+  for (std::ptrdiff_t beside = -most; beside <= most; ++beside) {
     const Point seen = pixels_.near(0, (scan_->descending ? last - at : at) + beside);
     around.add(returned(seen), std::hypot(seen.x, seen.y));
   }

@@ -27,11 +27,12 @@ class SeenAt {
   bool can_tell() const { return picture_ || scan_; }
 
   /// `off` [m] by which it may lie elsewhere: what returns from no more than that before it or behind it may be it.
-  AtPlace operator()(const Point& place, double off = 0.0) const;
+  /// `aside` [rad] by which a scan may show it in another direction, since the robot turned while it was being taken.
+  AtPlace operator()(const Point& place, double off = 0.0, double aside = 0.0) const;
 
  private:
   AtPlace in_picture(const Point& place, double off) const;
-  AtPlace in_scan(const Point& place, double off) const;
+  AtPlace in_scan(const Point& place, double off, double aside) const;
 
   Pixels pixels_;
   std::optional<FieldOfView> picture_;

@@ -30,6 +30,7 @@ struct RobotBesideAPole : RobotWithOdometry {
       : RobotWithOdometry(laser_settings()), radius(0.5 * diameter), random(seed), error(0.0, noise) {}
 
   double radius, distance = 0.45;
+  double lasts = 0.0;  ///< [s] a scan, whose stamp is that of its first beam
   std::mt19937 random;
   std::normal_distribution<double> error;
   std::vector<float> ranges = std::vector<float>(361);
@@ -40,16 +41,17 @@ struct RobotBesideAPole : RobotWithOdometry {
     Scan scan;
     scan.angle_min = -100.0 / 180.0 * pi, scan.angle_max = -scan.angle_min;
     scan.angle_increment = 2.0 * scan.angle_max / 360.0;
-    scan.scan_time = 0.05, scan.range_min = 0.1, scan.range_max = 10.0;
+    scan.time_increment = lasts / 360.0, scan.scan_time = 0.05, scan.range_min = 0.1, scan.range_max = 10.0;
     for (std::size_t i = 0; i < ranges.size(); ++i) {
-      const double off = scan.angle_min + scan.angle_increment * static_cast<double>(i) + pose.heading;
+      const double ago = lasts * (1.0 - static_cast<double>(i) / 360.0);
+      const double off = scan.angle_min + scan.angle_increment * static_cast<double>(i) + pose.heading - turning * ago;
       const bool hits = std::cos(off) > 0.0 && std::abs(distance * std::sin(off)) < radius;
       ranges[i] = static_cast<float>((hits ? distance - radius : 4.0) + error(random));
     }
     scan.ranges = ranges.data(), scan.size = ranges.size();
     pass(0.05);
     control.note_odometry(now.ros, pose, {0.0, 0.0, turning});
-    control.see(scans.of(scan), {now.ros, laser_in_the_middle(), "laser", "laser"}, now);
+    control.see(scans.of(scan), {now.ros - lasts, laser_in_the_middle(), "laser", "laser"}, now);
     wants({});
   }
 
@@ -71,6 +73,23 @@ TEST(ThinThings, ARememberedPoleStaysHoweverNoisyTheLaserIs) {
         if (robot.wants({0.6 * std::cos(there), 0.6 * std::sin(there), 0.0}).factor >= 1.0) ++forgotten;
       }
       EXPECT_EQ(forgotten, 0) << diameter << " m thick, noise of " << noise << " m";
+    }
+  }
+}
+
+/// It is seen while the robot turns past it, and never else.
+TEST(ThinThings, APoleIsRememberedWhereItStandsThoughAScanTakesItsTime) {
+  for (const double lasts : {0.0, 0.1, 0.2}) {
+    for (const double speed : {0.5, 1.5, 3.0, -0.5, -1.5, -3.0}) {
+      RobotBesideAPole robot(0.05, 0.005, 7);
+      robot.lasts = lasts;
+      const double side = speed > 0.0 ? 1.0 : -1.0;
+      robot.pose.heading = -side * out_of_view;
+      for (int i = 0; i < 10; ++i) robot.looks();
+      for (; side * robot.pose.heading < out_of_view; robot.pose.heading += 0.05 * speed) robot.looks(speed);
+      for (int i = 0; i < 20; ++i) robot.looks();
+      const double there = -robot.pose.heading;
+      EXPECT_LT(robot.wants({0.6 * std::cos(there), 0.6 * std::sin(there), 0.0}).factor, 1.0) << lasts << ", " << speed;
     }
   }
 }
