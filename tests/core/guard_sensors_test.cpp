@@ -62,7 +62,7 @@ TEST(GuardSensors, ALaserSeesWhatHasGoneFromWhereverItsBearingsBegin) {
       std::fill(robot.ranges.begin(), robot.ranges.end(), 5.0f);
       stands();
       const double there = first + static_cast<double>(bearing + 3) * pi / 180.0;
-      const Guarded& answer = robot.wants({0.3 * std::cos(there), 0.3 * std::sin(there), 0.0});
+      const Guarded& answer = robot.wants({0.6 * std::cos(there), 0.6 * std::sin(there), 0.0});
       EXPECT_EQ(answer.factor, 1.0) << first << ", " << bearing << ": " << answer.sensor << ", " << answer.reason;
     }
   }
