@@ -46,6 +46,10 @@ Axis axis_of(const Outlook& outlook) {
   return {{x[2], y[2], z[2]}, {x[0], y[0], z[0]}};
 }
 
+Point place_of(const Spot& spot, const Outlook& outlook) {
+  return spot.place ? *spot.place : placed(spot.point, outlook);
+}
+
 bool is_in_sight(const Loss& loss) { return loss.cause == Cause::LowObstacle && !loss.whole; }
 
 /// Where a loss is at the nearest [m].
@@ -181,9 +185,15 @@ void NearLoss::move_to(const Frame& frame) {
   floor_ = FloorStrip{};
 }
 
+/// The axes that places are told in may be other ones.
+void NearLoss::change_corridor() {
+  low_.change_corridor();
+  things_.for_each_spot([](Spot& spot) { spot.place.reset(); });
+}
+
 /// In the corridor, and near enough to count.
 bool NearLoss::is_lost(const Remembered& thing, const Spot& spot, const Outlook& outlook) const {
-  const Point place = placed(spot.point, outlook);
+  const Point place = place_of(spot, outlook);
   return outlook.corridor.holds(place) && (thing.vanished || place.z - outlook.camera().z < kept_distance());
 }
 
@@ -202,7 +212,7 @@ std::optional<Loss> NearLoss::lost(const Outlook& outlook) const {
     for (const Spot& spot : thing.lost) {
       if (!is_lost(thing, spot, outlook)) continue;
       size += double{spot.share};
-      distance = std::min(distance, double{placed(spot.point, outlook).z});
+      distance = std::min(distance, double{place_of(spot, outlook).z});
     }
     if (size == 0.0) continue;
     const Loss loss{Cause::NearLoss, remembered_at(distance), !thing.is_seen() || 2.0 * size > thing.size,

@@ -42,7 +42,7 @@ class NearLoss {
   bool restore(const std::string& text);
 
   /// The corridor is another one: what is remembered is judged by it from now on.
-  void change_corridor() { low_.change_corridor(); }
+  void change_corridor();
 
   /// Whether look() is to tell the rows of this cloud apart: judge() asks for the nearest in each.
   Rows rows_for(const View& view) const;

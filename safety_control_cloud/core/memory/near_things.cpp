@@ -207,6 +207,7 @@ class Finding {
     Spot spot;
     spot.row = pixel.row, spot.column = pixel.column;
     spot.point = pixel.point;
+    spot.place = placed(pixel.point, search_.outlook);
     spot.company = around(pixel, std::numeric_limits<float>::infinity());
     return spot;
   }

@@ -1,23 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "../input/cloud.hpp"
 
 namespace safety_control_cloud {
 
+/// Which way a camera looks, in the corridor's axes.
+struct Axis {
+  std::array<float, 3> ahead = {0.0f, 0.0f, 1.0f}, right = {1.0f, 0.0f, 0.0f};
+};
+
 /// A pixel in which a thing was seen, and what the picture is asked about there.
 struct Spot {
   std::uint16_t row = 0, column = 0;
-  Point point;                 ///< in the cloud's frame [m]
-  float share = 0.0f;          ///< of the thing's size that it stands for [m2]
-  std::uint8_t company = 0;    ///< how many of the 3 x 3 pixels around it returned then
-  std::uint8_t seen_past = 0;  ///< so many successive clouds show something behind it
-  bool stands = false;         ///< what is seen in this column reached down to the near floor
-  bool foot_unseen = false;    ///< nothing returned in this column below what is seen
+  Point point;                   ///< in the cloud's frame [m]
+  std::optional<Point> place{};  ///< in the corridor's axes, as the camera looked then [m]; none: as it looks now
+  float share = 0.0f;            ///< of the thing's size that it stands for [m2]
+  std::uint8_t company = 0;      ///< how many of the 3 x 3 pixels around it returned then
+  std::uint8_t seen_past = 0;    ///< so many successive clouds show something behind it
+  bool stands = false;           ///< what is seen in this column reached down to the near floor
+  bool foot_unseen = false;      ///< nothing returned in this column below what is seen
+  std::optional<Axis> axis{};    ///< of the camera then; none: of the first that asks
 };
 
 /// The lowest pixel of a thing in a column of the picture.

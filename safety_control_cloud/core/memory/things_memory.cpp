@@ -48,14 +48,15 @@ Common common(const std::vector<Spot>& before, const Thing& now) {
   return {static_cast<double>(close) / all, closeness / all};
 }
 
-/// By how much a camera may have turned meanwhile for its picture to show the same places: the cosine of 3 degrees.
-constexpr float same_axis = 0.9986f;
+/// Cosines: by how much a camera may have turned for its picture to show the same places (1 degree), and from one
+/// picture to the next (0.3 degrees) for it to rest.
+constexpr float same_axis = 0.99985f, rests = 0.999986f;
 
-bool are_same(const Axis& a, const Axis& b) {
+bool are_same(const Axis& a, const Axis& b, float least) {
   const auto cosine = [](const std::array<float, 3>& one, const std::array<float, 3>& other) {
     return one[0] * other[0] + one[1] * other[1] + one[2] * other[2];
   };
-  return cosine(a.ahead, b.ahead) > same_axis && cosine(a.right, b.right) > same_axis;
+  return cosine(a.ahead, b.ahead) > least && cosine(a.right, b.right) > least;
 }
 
 /// A hole where the thing left none: something else may stand there that went out of sight together with it.
@@ -97,11 +98,13 @@ void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const 
                           const Axis& axis) {
   follow(std::move(seen));
   unlearn_blind_range();
+  const bool rest = !axis_ || are_same(*axis_, axis, rests);
   for (Remembered& thing : things_) {
     note_vanished(thing, picture, near);
-    if (thing.is_seen() || !thing.axis) thing.axis = axis;
-    if (are_same(*thing.axis, axis)) ask(thing, picture, floor_again);
+    for (Spot& spot : thing.seen.spots) spot.axis = axis;
+    if (rest) ask(thing, picture, floor_again, axis);
   }
+  axis_ = axis;
   things_.erase(std::remove_if(things_.begin(), things_.end(),
                                [](const Remembered& thing) { return !thing.is_seen() && thing.lost.empty(); }),
                 things_.end());
@@ -181,9 +184,11 @@ void ThingsMemory::follow(std::vector<Thing> seen) {
   }
 }
 
-void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const FloorAgain& floor_again) {
+void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const FloorAgain& floor_again, const Axis& axis) {
   double past = 0.0, leaving = 0.0, blank = 0.0;  // of those that stay
   const auto goes = [&](Spot& spot) {
+    if (!spot.axis) spot.axis = axis;
+    if (!are_same(*spot.axis, axis, same_axis)) return false;
     const Evidence evidence = evidence_of(spot, picture);
     if (evidence == Evidence::Past && !thing.is_seen() && leaves_at_the_top(spot, picture)) {
       leaving += double{spot.share};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -10,23 +9,17 @@
 
 namespace safety_control_cloud {
 
-/// Which way a camera looks, in the corridor's axes.
-struct Axis {
-  std::array<float, 3> ahead = {0.0f, 0.0f, 1.0f}, right = {1.0f, 0.0f, 0.0f};
-};
-
 /// A thing that came near, over many clouds.
 struct Remembered {
-  Thing seen;                  ///< as the latest cloud shows it; no spots if it does not
-  std::vector<Spot> lost;      ///< what was seen of it, and now is neither seen nor seen past
-  double size = 0.0;           ///< [m2] at most
-  double freed = 0.0;          ///< [m2] of the lost, since it was last seen, that is seen past by now
-  unsigned clouds = 0;         ///< that have shown it
-  bool stood = false;          ///< on the near floor, at some time
-  bool at_border = false;      ///< when it was seen last
-  bool vanished = false;       ///< in mid-air: see ThingsMemory
-  bool is_slight = false;      ///< of few pixels, which in a single cloud may be false
-  std::optional<Axis> axis{};  ///< of the camera when it was seen last
+  Thing seen;              ///< as the latest cloud shows it; no spots if it does not
+  std::vector<Spot> lost;  ///< what was seen of it, and now is neither seen nor seen past
+  double size = 0.0;       ///< [m2] at most
+  double freed = 0.0;      ///< [m2] of the lost, since it was last seen, that is seen past by now
+  unsigned clouds = 0;     ///< that have shown it
+  bool stood = false;      ///< on the near floor, at some time
+  bool at_border = false;  ///< when it was seen last
+  bool vanished = false;   ///< in mid-air: see ThingsMemory
+  bool is_slight = false;  ///< of few pixels, which in a single cloud may be false
 
   bool is_seen() const { return !seen.spots.empty(); }
 };
@@ -46,7 +39,7 @@ double size_of(const std::vector<Spot>& spots);  ///< [m2]
 ///   which is not at the border, returns nothing any more from one cloud to the next, it was not seen to go away. The
 ///   sensor is blind at the distance at which it was; it is kept, and that distance is near from then on, until a thing
 ///   is seen nearer.
-/// - While the camera looks another way, its picture says nothing of what is lost.
+/// - While the camera looks another way than when a spot was seen, or turns, its picture says nothing of it.
 /// - What stands on the floor, in a column of the picture, has gone when the near floor is seen again in that column.
 class ThingsMemory {
  public:
@@ -73,12 +66,13 @@ class ThingsMemory {
 
  private:
   void follow(std::vector<Thing> seen);
-  void ask(Remembered& thing, const Pixels& picture, const FloorAgain& floor_again);
+  void ask(Remembered& thing, const Pixels& picture, const FloorAgain& floor_again, const Axis& axis);
   void note_vanished(Remembered& thing, const Pixels& picture, float near);
   void unlearn_blind_range();
 
   std::vector<Remembered> things_;
   float blind_range_ = 0.0f;
+  std::optional<Axis> axis_;  ///< of the latest picture
 };
 
 }  // namespace safety_control_cloud
