@@ -139,29 +139,5 @@ TEST(Together, CameraThatLooksElsewhereSaysNothingOfWhatIsLost) {
   }
 }
 
-/// The head turns away from what stands before the robot's flank, and stays there.
-TEST(Together, ACameraThatPansSlowlyDoesNotSeeThingsGo) {
-  Settings settings;
-  settings.target_frame = "base_link";
-  for (const float last : {0.5f, 0.6f, -0.6f}) {
-    for (const float step : {0.012f, 0.025f, 0.05f, 0.2f}) {  // [rad] from cloud to cloud
-      SafetyControl control(settings);
-      double now = 100.0;
-      const float side = last > 0.0f ? -1.0f : 1.0f;
-      const auto sees = [&](float pan) {
-        const float ahead = 0.45f, x = side * 0.13f;  // in the frame; in the camera's as it looks then
-        const float z = ahead * std::cos(pan) + x * std::sin(pan), right = x * std::cos(pan) - ahead * std::sin(pan);
-        now += 0.05;
-        const Scene scene({post(z, right, 0.1f), wall});
-        return control.decide(scene.view(), Origin{now, panned(pan)}, Instant{now, now});
-      };
-      for (int i = 0; i < 10; ++i) sees(0.0f);
-      ASSERT_EQ(sees(0.0f).speed, 0.0);
-      for (float pan = 0.0f; std::abs(pan) < std::abs(last); pan += -side * step) sees(pan);
-      for (int i = 0; i < 20; ++i) EXPECT_EQ(sees(last).speed, 0.0) << last << ", " << step;
-    }
-  }
-}
-
 }  // namespace
 }  // namespace safety_control_cloud

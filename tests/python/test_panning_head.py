@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A camera that turns on the robot: what it does not look at any more has not gone."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from safety_control_cloud import core
+
+WIDTH, HEIGHT, HALF_VIEW = 160, 120, np.radians(30)
+RANGE = (0.4, 5.0)  # [m]
+CAMERA = np.array([-0.087, 0.0, 0.2972])  # [m] in base_footprint
+RATE, AFTER = 20.0, 1.0  # [Hz], and [s] for which the head rests before and after it turns
+ROOM = ((3.0, 3.1, -3.0, 3.0, 0.0, 2.5), (-3.0, 3.0, 3.0, 3.1, 0.0, 2.5), (-3.0, 3.0, -3.1, -3.0, 0.0, 2.5))
+
+
+def placing(pan: float) -> np.ndarray:
+    """(3, 4) of the optical frame in base_footprint."""
+    c, s = np.cos(pan), np.sin(pan)
+    return np.column_stack([np.array([[s, 0, c], [-c, 0, s], [0, -1, 0]]), CAMERA])
+
+
+def picture(camera: np.ndarray, boxes: tuple, random: np.random.Generator) -> np.ndarray:
+    """(height, width, 3) [m] what is seen of boxes (x, x, y, y, z, z) and of the floor."""
+    focal = WIDTH / 2 / np.tan(HALF_VIEW)
+    columns, rows = np.meshgrid(np.arange(WIDTH) - (WIDTH - 1) / 2, np.arange(HEIGHT) - (HEIGHT - 1) / 2)
+    rays = np.stack([columns / focal, rows / focal, np.ones_like(rows)], axis=-1)
+    ways = rays @ camera[:, :3].T
+    with np.errstate(divide="ignore", invalid="ignore"):
+        depth = np.where(ways[..., 2] < 0, -camera[2, 3] / ways[..., 2], np.inf)
+        for box in boxes:
+            sides = (np.reshape(box, (3, 2)) - camera[:, 3:])[None, None] / ways[..., None]
+            enters, leaves = sides.min(axis=-1).max(axis=-1), sides.max(axis=-1).min(axis=-1)
+            depth = np.where((enters <= leaves) & (enters > 0), np.minimum(depth, enters), depth)
+    depth *= 1 + random.normal(0, 5e-4, depth.shape)
+    depth[(depth <= RANGE[0]) | (depth >= RANGE[1])] = np.nan
+    return (rays * depth[..., None]).astype(np.float32)
+
+
+@pytest.mark.parametrize("degrees_per_second", [15, 30, 60])
+@pytest.mark.parametrize("degrees", [-25, -35])
+@pytest.mark.parametrize("ahead", [0.35])
+def test_the_robot_stands_for_a_post_from_which_the_head_turns_away(ahead, degrees, degrees_per_second):
+    random = np.random.default_rng(0)
+    control = core.SafetyControl(core.Settings(
+        mode="drive", target_frame="base_footprint", bottom=0.05, top=0.55, left=0.3, right=0.3))
+    post = (ahead, ahead + 0.1, 0.08, 0.18, 0.0, 1.0)
+    turning = abs(degrees) / degrees_per_second
+    for now in np.arange(0.0, 2 * AFTER + turning, 1 / RATE):
+        pan = np.radians(degrees) * np.clip((now - AFTER) / turning, 0.0, 1.0)
+        decision = control.decide(picture(placing(pan), (post, *ROOM), random), now=now, camera=placing(pan))
+        if now > 0.3:
+            assert decision.speed == 0.0, f"after {now:.2f} s, at {np.degrees(pan):.0f} degrees: {decision.reason}"
