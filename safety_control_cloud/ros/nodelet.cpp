@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <nodelet/detail/callback_queue.h>
 #include <nodelet/nodelet.h>
-#include <ros/callback_queue.h>
-#include <ros/spinner.h>
 
 #include <memory>
 #include <pluginlib/class_list_macros.hpp>
@@ -11,27 +10,28 @@
 
 namespace safety_control_cloud {
 
+namespace {
+
+/// nodelet 1.10.0 (Debian 11, Noetic of 2020) keeps the queues shut until onInit returns, and throws away what comes
+/// meanwhile; the timer or the subscription that it came from is then dead for good (ros/nodelet_core#106).
+void open(ros::CallbackQueueInterface& queue) {
+  if (auto* own = dynamic_cast<nodelet::detail::CallbackQueue*>(&queue)) own->enable();
+}
+
+}  // namespace
+
 /// The node beside the camera's driver in one process: a cloud arrives without being copied.
 /// Parameters that are unfit to drive with keep it from loading.
-///
-/// It has a queue and a thread of its own. In the manager's a command would wait until two other threads have woken
-/// one after the other, and for whatever other nodelets keep them busy with; and nodelet 1.10.0 (Debian 11, Noetic of
-/// 2020) keeps its queues shut until onInit returns and throws away what comes meanwhile, so that a timer or a
-/// subscription may be dead for good (ros/nodelet_core#106).
 class SafetyControlNodelet : public nodelet::Nodelet {
   void onInit() override {
-    ros::NodeHandle handle = getNodeHandle(), private_handle = getPrivateNodeHandle();
-    handle.setCallbackQueue(&queue_);
-    private_handle.setCallbackQueue(&queue_);
-    node_ = node_of(handle, private_handle, Delivery::Shared);
+    open(getSTCallbackQueue());
+    open(getMTCallbackQueue());
+    node_ = node_of(getNodeHandle(), getPrivateNodeHandle(), Delivery::Shared);
     last_word_ = std::make_unique<LastWord>([this] { node_->end(); });
-    thread_.start();
   }
 
-  ros::CallbackQueue queue_;
   std::unique_ptr<Node> node_;
   std::unique_ptr<LastWord> last_word_;  ///< of the node: goes before it
-  ros::AsyncSpinner thread_{1, &queue_};
 };
 
 }  // namespace safety_control_cloud
