@@ -10,8 +10,9 @@ constexpr double begins_after = 0.2;  ///< [s] that odometry must go on before i
 
 OutOfSightLimits limits_by(const Settings& settings) {
   const FrameCorridor& band = settings.frame_corridor;
-  return {band.bottom,           band.top, settings.memory_distance, settings.memory_time, settings.obstacle_speed,
-          own_boxes_of(settings)};
+  return {{band.bottom, band.top, settings.memory_distance, own_boxes_of(settings)},
+          settings.memory_time,
+          settings.obstacle_speed};
 }
 
 }  // namespace
@@ -85,20 +86,22 @@ std::vector<KnownPlace> GuardMemory::resting(const Look& look, const Pose2& pose
   return out_of_sight_.resting(look.outlook, {pose, {}, odometry_drift_}, now.steady);
 }
 
+/// Not every sensor that is required has looked since odometry goes on.
+bool GuardMemory::waits_for(const std::vector<GuardSensor>& sensors) const {
+  return jumped_ && std::any_of(sensors.begin(), sensors.end(), [this](const GuardSensor& sensor) {
+           return sensor.is_required() && !sensor.has_looked_since(*jumped_);
+         });
+}
+
 /// Why what is out of sight cannot be placed.
 std::optional<Doubt> GuardMemory::doubt_at(const Instant& now, const Went& went,
-                                           const std::vector<GuardSensor>& sensors) {
+                                           const std::vector<GuardSensor>& sensors) const {
   const auto in_doubt = [](const char* reason) { return Doubt{Cause::NoOdometry, reason}; };
-  const bool holds_any = out_of_sight_.holds_any(now.steady);
-  if (by_odometry_ && went.odometry.breaks() != breaks_ && holds_any)
+  const bool is_placed_by_odometry = by_odometry_ && out_of_sight_.holds_any(now.steady);
+  if (is_placed_by_odometry && went.odometry.breaks() != breaks_)
     return in_doubt("odometry jumped or paused, and what is out of sight cannot be placed");
-  const auto has_not_looked = [&](const GuardSensor& sensor) {
-    return sensor.is_required() && !sensor.has_looked_since(*jumped_);
-  };
-  if (jumped_ && std::any_of(sensors.begin(), sensors.end(), has_not_looked))
-    return in_doubt("odometry jumped or paused, and not every sensor has looked since");
-  jumped_.reset();
-  if (holds_any && by_odometry_ && !(went.odometry.is_fresh(now.ros) && went.odometry.pose_at(now.ros)))
+  if (waits_for(sensors)) return in_doubt("odometry jumped or paused, and not every sensor has looked since");
+  if (is_placed_by_odometry && !(went.odometry.is_fresh(now.ros) && went.odometry.pose_at(now.ros)))
     return in_doubt("no odometry, and what is out of sight cannot be placed");
   return std::nullopt;
 }
@@ -109,6 +112,7 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
   known.sensor = "memory";
   known.doubt = doubt_at(now, went, sensors);
   if (known.doubt) return {known};
+  jumped_.reset();
   if (!out_of_sight_.holds_any(now.steady)) return {};
   const Whereabouts robot = *whereabouts_at(0.0, went, now);  // there is, or it would be in doubt
   known.law = sensors.front().law();

@@ -53,7 +53,8 @@ class GuardMemory {
   void choose_whereabouts(double stamp, const Went& went, const Instant& now);
   Pose2 way_during(const Look& look, const Went& went, const Instant& now) const;
   std::optional<Whereabouts> whereabouts_at(double age, const Went& went, const Instant& now) const;
-  std::optional<Doubt> doubt_at(const Instant& now, const Went& went, const std::vector<GuardSensor>& sensors);
+  bool waits_for(const std::vector<GuardSensor>& sensors) const;
+  std::optional<Doubt> doubt_at(const Instant& now, const Went& went, const std::vector<GuardSensor>& sensors) const;
 
   OutOfSight out_of_sight_;
   double odometry_drift_;                 ///< [m/m], [rad/rad]

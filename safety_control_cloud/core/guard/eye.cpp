@@ -50,23 +50,19 @@ bool translates_away(const Eye& eye, const Twist2& twist) {
   return speed_of(twist) > 0.0 && std::abs(bearing_of(eye, twist)) > eye.half_angle + beside_view;
 }
 
-/// Where the footprint comes to by a twist and is not now.
-struct NewGround {
-  bool seen = false, unseen = false;  ///< whether any of it lies in what the eye sees, at any distance; and outside
-};
-
-NewGround new_ground_of(const Outline& outline, const Eye& eye, const Twist2& twist) {
-  NewGround ground;
+/// Whether any place to which the footprint comes by a twist, and where it is not now, is such a one.
+template <class Is>
+bool any_new_place(const Outline& outline, const Twist2& twist, Is is) {
   const std::vector<Point2> boundary = boundary_of(outline);
-  for (int i = 1; i <= times && !(ground.seen && ground.unseen); ++i) {
+  for (int i = 1; i <= times; ++i) {
     const Pose2 way = way_of(twist, way_ahead * i / times);
     const Turn turn(way.heading);
     for (const Point2& point : boundary) {
       const Point2 place = way.place + turn(point);
-      if (outline.signed_distance(place) > new_ground) (eye.sees(place) ? ground.seen : ground.unseen) = true;
+      if (outline.signed_distance(place) > new_ground && is(place)) return true;
     }
   }
-  return ground;
+  return false;
 }
 
 }  // namespace
@@ -88,13 +84,18 @@ Eye eye_of(const Outlook& outlook, const ScanView& scan) {
 }
 
 bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2& twist) {
-  const NewGround ground = new_ground_of(outline, eye, twist);
   const bool away = translates_away(eye, twist);
-  return (ground.unseen && !ground.seen) || (ground.seen && away);
+  bool is_any_new = false;
+  const bool shows = any_new_place(outline, twist, [&](const Point2& place) {
+    is_any_new = true;
+    return !away && eye.sees(place);
+  });
+  return is_any_new && !shows;
 }
 
 bool leads_to_where_it_looks(const Outline& outline, const Eye& eye, const Twist2& twist) {
-  if (speed_of(twist) == 0.0) return !new_ground_of(outline, eye, twist).unseen;
+  if (speed_of(twist) == 0.0)
+    return !any_new_place(outline, twist, [&](const Point2& place) { return !eye.sees(place); });
   return length_of(eye.direction) > 0.0 && std::abs(bearing_of(eye, twist)) <= eye.half_angle;
 }
 

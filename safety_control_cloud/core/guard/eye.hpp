@@ -28,8 +28,8 @@ Eye eye_of(const Outlook& outlook, const ScanView& scan);
 /// distance; or all of the robot moves away from where it looks.
 bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2& twist);
 
-/// Whether a twist leads ahead into what the eye sees, and not past it; of a turn in place, whether all that it leads to
-/// is seen.
+/// Whether a twist leads ahead into what the eye sees, and not past it; of a turn in place, whether all that it leads
+/// to is seen.
 bool leads_to_where_it_looks(const Outline& outline, const Eye& eye, const Twist2& twist);
 
 /// Whether no part of the robot comes nearer to where the eye looks: straight away from it, without turning.

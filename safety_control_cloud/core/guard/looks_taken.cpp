@@ -18,24 +18,26 @@ std::vector<Pose2> ways_between(const Whereabouts& then, const Whereabouts& now)
 }  // namespace
 
 void LooksTaken::take_placed(std::size_t sensor, const Whereabouts& robot, double now) {
-  if (pose_) {
-    const Pose2 way = between(*pose_, robot.pose);
-    drifted_ += robot.drift * length_of(way.place);
-    turned_ += robot.drift * std::abs(way.heading);
-  }
+  drift_ = drift_until(robot);
   pose_ = robot.pose;
   add(sensor, robot, now);
 }
 
+Drift LooksTaken::drift_until(const Whereabouts& robot) const {
+  if (!pose_) return drift_;
+  const Pose2 way = between(*pose_, robot.pose);
+  return {drift_.place + robot.drift * length_of(way.place), drift_.heading + robot.drift * std::abs(way.heading)};
+}
+
 void LooksTaken::add(std::size_t sensor, const Whereabouts& robot, double now) {
   latest_of_[sensor] = ++latest_;
-  taken_.push_back({sensor, now, robot, drifted_, turned_});
+  taken_.push_back({sensor, now, robot, drift_});
 }
 
 /// What the way until now may be off by is for those to keep who know a place.
 void LooksTaken::go_on_in_frame(const Pose2& there) {
   pose_ = there;
-  for (Taken& look : taken_) look = {look.sensor, look.at, {there}, drifted_, turned_};
+  for (Taken& look : taken_) look = {look.sensor, look.at, {there}, drift_};
 }
 
 void LooksTaken::forget_before(double moment) {
@@ -53,17 +55,11 @@ bool LooksTaken::is_latest_of_its_sensor(std::uint64_t look) const {
 }
 
 WaySince::WaySince(const LooksTaken& looks, const Whereabouts& robot)
-    : looks_(looks), robot_(robot), drifted_(looks.drifted_), turned_(looks.turned_) {
-  if (!robot.or_else.empty()) ways_.resize(looks.taken_.size());
-  if (!looks.pose_) return;
-  const Pose2 since = between(*looks.pose_, robot.pose);
-  drifted_ += robot.drift * length_of(since.place);
-  turned_ += robot.drift * std::abs(since.heading);
-}
+    : looks_(looks), robot_(robot), drift_(looks.drift_until(robot)), ways_(robot.or_else.empty() ? 0 : looks.size()) {}
 
 const std::vector<Pose2>& WaySince::or_else(std::uint64_t look) {
   static const std::vector<Pose2> none;
-  const std::uint64_t since = looks_.latest_ - look;
+  const std::uint64_t since = looks_.latest() - look;
   if (since >= ways_.size()) return none;
   auto& ways = ways_[static_cast<std::size_t>(since)];
   if (!ways) ways = ways_between(looks_.find(look)->robot, robot_);
@@ -77,8 +73,8 @@ double WaySince::beside(std::uint64_t look, double range) {
 }
 
 double WaySince::off(std::uint64_t look, double range) {
-  const LooksTaken::Taken& then = *looks_.find(look);
-  return drifted_ - then.drifted + (turned_ - then.turned) * range + beside(look, range);
+  const Drift& then = looks_.find(look)->drift;
+  return drift_.place - then.place + (drift_.heading - then.heading) * range + beside(look, range);
 }
 
 }  // namespace safety_control_cloud

@@ -13,14 +13,19 @@
 
 namespace safety_control_cloud {
 
+/// By how much a way may be off.
+struct Drift {
+  double place = 0.0, heading = 0.0;  ///< [m], [rad]
+};
+
 /// The looks of all sensors, numbered as they came, and where the robot was at each.
 class LooksTaken {
  public:
   struct Taken {
     std::size_t sensor;
-    double at;               ///< [s] steady
-    Whereabouts robot;       ///< in a frame that rests
-    double drifted, turned;  ///< [m], [rad] by which the way until then may have been off
+    double at;          ///< [s] steady
+    Whereabouts robot;  ///< in a frame that rests
+    Drift drift;        ///< of all the way until then
   };
 
   /// A sensor looks, and nobody knows from where.
@@ -38,21 +43,26 @@ class LooksTaken {
   /// The number of the latest look of all; 0 before the first.
   std::uint64_t latest() const { return latest_; }
 
+  /// How many are not forgotten: the latest.
+  std::size_t size() const { return taken_.size(); }
+
   /// None: it is forgotten.
   const Taken* find(std::uint64_t look) const;
+
+  /// Of all the way until the robot is there.
+  Drift drift_until(const Whereabouts& robot) const;
 
   /// Whether no later look of the same sensor has been taken.
   bool is_latest_of_its_sensor(std::uint64_t look) const;
 
  private:
-  friend class WaySince;
   void add(std::size_t sensor, const Whereabouts& robot, double now);
 
   std::deque<Taken> taken_;  ///< the latest of them
   std::uint64_t latest_ = 0;
   std::map<std::size_t, std::uint64_t> latest_of_;  ///< of each sensor
   std::optional<Pose2> pose_;                       ///< of the latest that was placed
-  double drifted_ = 0.0, turned_ = 0.0;             ///< [m], [rad] by which the way so far may be off
+  Drift drift_;                                     ///< of the way until there
 };
 
 /// How far the way from each look to where the robot is now may be off. Borrows both.
@@ -72,7 +82,7 @@ class WaySince {
  private:
   const LooksTaken& looks_;
   const Whereabouts& robot_;
-  double drifted_, turned_;  ///< [m], [rad] as the way until now may be off
+  const Drift drift_;  ///< of the way until now
   std::vector<std::optional<std::vector<Pose2>>> ways_;
 };
 

@@ -6,15 +6,12 @@
 #include <cmath>
 #include <utility>
 
-#include "../memory/pixels.hpp"
-
 namespace safety_control_cloud {
 namespace {
 
-constexpr double cell = 0.015, layer = 0.1;      ///< [m] across and up
-constexpr std::size_t columns = 107, rows = 80;  ///< of a picture that are looked at, at most
-constexpr std::size_t most = 30000;              ///< places
-constexpr std::uint8_t believed = 2;             ///< looks that show a place, or what is behind it
+constexpr double cell = 0.015, layer = 0.1;  ///< [m] across and up
+constexpr std::size_t most = 30000;          ///< places
+constexpr std::uint8_t believed = 2;         ///< looks that show a place, or what is behind it
 /// [m] Places are told apart by these; what may be off by more than the last is as the one that is off the most.
 constexpr std::array<double, 12> displaced = {0.015, 0.02, 0.03, 0.045, 0.07, 0.12, 0.2, 0.3, 0.45, 0.7, 1.0, 1.5};
 constexpr double well_known = 0.2;   ///< [m] what may be off by more explains nothing that is lost
@@ -26,8 +23,6 @@ std::uint64_t key_of(const Point2& place, double height) {
   const auto part = [](double value) { return static_cast<std::uint64_t>(std::llround(value)) & 0x1fffffU; };
   return part(place.x / cell) << 42U | part(place.y / cell) << 21U | part(height / layer);
 }
-
-std::size_t step_for(std::size_t size, std::size_t wanted) { return (size + wanted - 1) / wanted; }
 
 /// Where a place of base_frame lies in the corridor's axes.
 Point in_axes(const Point2& place, float height) {
@@ -43,7 +38,8 @@ void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& r
   if (!remembers()) return places_.clear();
   const SeenAt seen_at(look.reading, look.view);
   if (!seen_at.can_tell()) return;
-  keep_near(look, robot.pose, now, meanwhile);
+  for (const NearReturn& seen : near_returns(look, limits_.vicinity, robot.pose, meanwhile))
+    keep(seen, now, displacement(meanwhile, seen.range));
   drop_what_has_gone(look, seen_at, robot, now, meanwhile);
 }
 
@@ -64,43 +60,18 @@ const LooksTaken::Taken* OutOfSight::shown_by(const Place& place, double now) co
   return look && now - look->at <= limits_.time ? look : nullptr;
 }
 
-void OutOfSight::keep_near(const Look& look, const Pose2& pose, double now, const Pose2& meanwhile) {
-  const Pixels pixels(look.view, look.outlook.corridor.range_min);
-  const bool is_scan = std::holds_alternative<ScanView>(look.reading);
-  const std::size_t across = is_scan ? 1 : step_for(pixels.width(), columns), down = step_for(pixels.height(), rows);
-  const bool moved = displacement(meanwhile, 1.0) > 0.0;
-  Pose2 then = pose;
-  Turn turn(pose.heading);
-  PixelRow row;
-  for (std::size_t r = 0; r < pixels.height(); r += down) {
-    pixels.read(r, across, look.outlook, row);
-    for (std::size_t i = 0; i < row.z.size(); ++i) {
-      const Point2 place{row.z[i], -row.x[i]};
-      const float height = -row.y[i];
-      const bool counts = height >= limits_.bottom && height <= limits_.top &&
-                          dot(place, place) <= limits_.distance * limits_.distance;  // of NaN, false
-      if (!counts || is_own(limits_.self, place.x, place.y, height)) continue;
-      if (moved) {  // each at its own moment, in their order
-        then = beyond(pose, shared(meanwhile, static_cast<double>(i) / static_cast<double>(row.z.size())));
-        turn = Turn(then.heading);
-      }
-      keep(then.place + turn(place), height, now, displacement(meanwhile, length_of(place)));
-    }
-  }
-}
-
-void OutOfSight::keep(const Point2& place, float height, double now, double off) {
-  const std::uint64_t key = key_of(place, height);
+void OutOfSight::keep(const NearReturn& seen, double now, double off) {
+  const std::uint64_t key = key_of(seen.place, seen.height);
   const auto found = places_.find(key);
   if (found == places_.end() && places_.size() >= most) return;
-  Place kept{place.x, place.y, height, looks_.latest(), now, off};
+  Place kept{seen.place.x, seen.place.y, seen.height, looks_.latest(), now, off};
   if (found != places_.end()) {
     kept.first_seen = found->second.first_seen;
     kept.looks = looks_of(found->second);
     found->second = kept;
     return;
   }
-  kept.looks = looks_beside(place, height);
+  kept.looks = looks_beside(seen.place, seen.height);
   places_.emplace(key, kept);
 }
 
@@ -180,7 +151,8 @@ void OutOfSight::for_each(const Whereabouts& robot, double now, Visit visit) con
     if (!counts(place, now)) continue;
     const Point2 here = seen_after({place.x, place.y});
     const double range = length_of(here);
-    visit(place, Here{here, range, own_size + place.off + way_since.off(place.look, range)});
+    const double off = own_size + place.off + way_since.off(place.look, range);
+    visit(place, Here{here, range, off, *looks_.find(place.look)});
   }
 }
 
@@ -202,9 +174,8 @@ void OutOfSight::go_on_in_frame(const Whereabouts& robot, const Pose2& there, do
 std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Whereabouts& robot, double now) const {
   std::vector<KnownPlace> places;
   for_each(robot, now, [&](const Place& place, const Here& here) {
-    const double seen_at = looks_.find(place.look)->at;
-    if (seen_at - place.first_seen < rests_for || here.off > well_known) return;
-    const double off = here.off + limits_.speed * (now - seen_at);
+    if (here.look.at - place.first_seen < rests_for || here.off > well_known) return;
+    const double off = here.off + limits_.speed * (now - here.look.at);
     places.push_back({here.place, camera.seen_from_camera(in_axes(here.place, place.z)), off});
   });
   return places;
@@ -215,9 +186,8 @@ std::vector<Ring> OutOfSight::rings(const Whereabouts& robot, double reach, doub
   std::vector<Ring> rings;
   for (std::size_t i = 0; i < displaced.size(); ++i) rings.push_back({reach, {}});
   for_each(robot, now, [&](const Place& place, const Here& here) {
-    const std::size_t sensor = looks_.find(place.look)->sensor;
-    if (of && sensor != *of) return;
-    const bool is_shown = shows[sensor] && looks_.is_latest_of_its_sensor(place.look);
+    if (of && here.look.sensor != *of) return;
+    const bool is_shown = shows[here.look.sensor] && looks_.is_latest_of_its_sensor(place.look);
     if (is_shown || here.range - here.off > reach) return;
     const auto fits = std::lower_bound(displaced.begin(), displaced.end() - 1, here.off);
     Ring& ring = rings[static_cast<std::size_t>(fits - displaced.begin())];

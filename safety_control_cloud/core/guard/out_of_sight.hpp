@@ -7,9 +7,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "../input/reading.hpp"
 #include "known_places.hpp"
 #include "looks_taken.hpp"
+#include "near_returns.hpp"
 #include "pose.hpp"
 #include "seen_at.hpp"
 #include "surroundings.hpp"
@@ -17,23 +17,11 @@
 
 namespace safety_control_cloud {
 
-/// One look of one sensor, placed in base_frame; borrowed for the length of a call.
-struct Look {
-  const Reading& reading;
-  View view;
-  Outlook outlook;
-  double stamp;          ///< [s] ROS time, of when it was taken
-  double measures_from;  ///< [m] from here on, what is there returns
-  double lasts = 0.0;    ///< [s] from its first return to its last
-};
-
 /// What is kept of what has left the picture.
 struct OutOfSightLimits {
-  double bottom = 0.0, top = 0.0;  ///< [m] heights, inclusive
-  double distance = 0.0;           ///< [m] from base_frame's origin: what came so near is kept; 0: nothing is
-  double time = 0.0;               ///< [s] for so long
-  double speed = 0.0;              ///< [m/s] of obstacles
-  std::vector<OwnBox> self = {};   ///< of the robot itself
+  Vicinity vicinity = {};  ///< what came into it is kept; of no size: nothing is
+  double time = 0.0;       ///< [s] for so long
+  double speed = 0.0;      ///< [m/s] of obstacles
 };
 
 /// What came near the robot and no sensor shows any more: beside it, behind it, in its blind zone. Kept as places in a
@@ -50,7 +38,7 @@ class OutOfSight {
   /// What `sensor` shows, the robot being there in the resting frame. `now` [s] steady. Of a cloud that is not
   /// organised nothing is kept: nobody could tell what is seen behind it.
   /// `meanwhile`: the way that the robot went while the look was being taken.
-  void note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now, const Pose2& meanwhile = {});
+  void note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now, const Pose2& meanwhile);
 
   /// `sensor` shows something, and nobody knows from where.
   void note_unplaced(std::size_t sensor, double now);
@@ -61,7 +49,7 @@ class OutOfSight {
   void go_on_in_frame(const Whereabouts& robot, const Pose2& there, double now);
 
   /// Whether anything would be kept.
-  bool remembers() const { return limits_.distance > 0.0 && limits_.time > 0.0; }
+  bool remembers() const { return limits_.vicinity.distance > 0.0 && limits_.time > 0.0; }
 
   /// Whether anything is.
   bool holds_any(double now) const;
@@ -90,7 +78,8 @@ class OutOfSight {
   /// A place as it lies around the robot now, and by how much it may have been displaced meanwhile.
   struct Here {
     Point2 place;
-    double range, off;  ///< [m]
+    double range, off;              ///< [m]
+    const LooksTaken::Taken& look;  ///< the latest that showed it
   };
 
   const LooksTaken::Taken* shown_by(const Place& place, double now) const;
@@ -98,8 +87,7 @@ class OutOfSight {
   bool counts(const Place& place, double now) const;
   template <class Visit>
   void for_each(const Whereabouts& robot, double now, Visit visit) const;
-  void keep_near(const Look& look, const Pose2& pose, double now, const Pose2& meanwhile);
-  void keep(const Point2& place, float height, double now, double off);
+  void keep(const NearReturn& seen, double now, double off);
   std::uint8_t looks_of(const Place& before) const;
   std::uint8_t looks_beside(const Point2& place, double height) const;
   void drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Whereabouts& robot, double now,

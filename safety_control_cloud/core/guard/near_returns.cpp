@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "near_returns.hpp"
+
+#include <cstddef>
+
+#include "../memory/pixels.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr std::size_t columns = 107, rows = 80;  ///< of a picture that are looked at, at most
+
+std::size_t step_for(std::size_t size, std::size_t wanted) { return (size + wanted - 1) / wanted; }
+
+}  // namespace
+
+std::vector<NearReturn> near_returns(const Look& look, const Vicinity& vicinity, const Pose2& pose,
+                                     const Pose2& meanwhile) {
+  const Pixels pixels(look.view, look.outlook.corridor.range_min);
+  const bool is_scan = std::holds_alternative<ScanView>(look.reading);
+  const std::size_t across = is_scan ? 1 : step_for(pixels.width(), columns), down = step_for(pixels.height(), rows);
+  const bool moved = displacement(meanwhile, 1.0) > 0.0;
+  Pose2 then = pose;
+  Turn turn(pose.heading);
+  std::vector<NearReturn> returns;
+  PixelRow row;
+  for (std::size_t r = 0; r < pixels.height(); r += down) {
+    pixels.read(r, across, look.outlook, row);
+    for (std::size_t i = 0; i < row.z.size(); ++i) {
+      const Point2 place{row.z[i], -row.x[i]};
+      const float height = -row.y[i];
+      const bool is_near = height >= vicinity.bottom && height <= vicinity.top &&
+                           dot(place, place) <= vicinity.distance * vicinity.distance;  // of NaN, false
+      if (!is_near || is_own(vicinity.self, place.x, place.y, height)) continue;
+      if (moved) {
+        then = beyond(pose, shared(meanwhile, static_cast<double>(i) / static_cast<double>(row.z.size())));
+        turn = Turn(then.heading);
+      }
+      returns.push_back({then.place + turn(place), height, length_of(place)});
+    }
+  }
+  return returns;
+}
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "../input/reading.hpp"
+#include "../look/outlook.hpp"
+#include "../path/obstacles.hpp"
+#include "pose.hpp"
+
+namespace safety_control_cloud {
+
+/// One look of one sensor, placed in base_frame; borrowed for the length of a call.
+struct Look {
+  const Reading& reading;
+  View view;
+  Outlook outlook;
+  double stamp;          ///< [s] ROS time, of when it was taken
+  double measures_from;  ///< [m] from here on, what is there returns
+  double lasts = 0.0;    ///< [s] from its first return to its last
+};
+
+/// Which returns are near.
+struct Vicinity {
+  double bottom = 0.0, top = 0.0;  ///< [m] heights, inclusive
+  double distance = 0.0;           ///< [m] from base_frame's origin
+  std::vector<OwnBox> self = {};   ///< of the robot itself
+};
+
+/// Where something returned.
+struct NearReturn {
+  Point2 place;  ///< [m] in the frame that rests
+  float height;  ///< [m] above base_frame
+  double range;  ///< [m] from base_frame's origin then
+};
+
+/// The near returns of a look, or of every n-th row and column of a larger picture, with the robot at `pose` when it
+/// began. It went on by `meanwhile`, so that each beam of a scan has a place of its own, in their order.
+std::vector<NearReturn> near_returns(const Look& look, const Vicinity& vicinity, const Pose2& pose,
+                                     const Pose2& meanwhile);
+
+}  // namespace safety_control_cloud
