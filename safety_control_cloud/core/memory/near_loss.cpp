@@ -40,12 +40,6 @@ bool is_picture(const View& view) {
   return width >= 2 && height >= 2 && width <= most && height <= most;
 }
 
-Axis axis_of(const Outlook& outlook) {
-  if (!outlook.placement) return {};
-  const auto& [x, y, z] = outlook.placement->rows;
-  return {{x[2], y[2], z[2]}, {x[0], y[0], z[0]}};
-}
-
 Point place_of(const Spot& spot, const Outlook& outlook) {
   return spot.place ? *spot.place : placed(spot.point, outlook);
 }

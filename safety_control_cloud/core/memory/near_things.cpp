@@ -2,20 +2,17 @@
 #include "near_things.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <limits>
-#include <utility>
 
+#include "connected.hpp"
 #include "near_pixels.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
-/// Pixels that return nothing, or are mixed of two ranges, do not part a thing: as many slots and lines.
-constexpr std::size_t gap = 2;
 /// A surface's range changes by less from one pixel to the next that is looked at, and that of another thing by more.
 constexpr float jump = 0.06f;  // [m]
 /// The picture is asked about at most so many spots of a thing, or nearly so.
@@ -25,134 +22,22 @@ constexpr std::size_t few_of = 500;     // of a picture, one in so many are few 
 constexpr float border = 0.03f;         // [m] within the corridor's sides
 constexpr double sparse_weight = 0.25;  // [m2] as of a pixel half a metre away
 
-using Index = std::uint32_t;  ///< of a pixel among those found
-
-/// Which of some numbers are connected.
-class Union {
- public:
-  Index add() {
-    parent_.push_back(static_cast<Index>(parent_.size()));
-    return parent_.back();
-  }
-  Index root(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(Index a, Index b) {
-    const Index one = root(a), other = root(b);
-    parent_[std::max(one, other)] = std::min(one, other);
-  }
-  std::size_t size() const { return parent_.size(); }
-
- private:
-  std::vector<Index> parent_;
-};
-
-/// Some of the pixels, in their order.
-using Members = std::vector<Index>;
+std::size_t few_in(const Pixels& picture) { return std::max(few_pixels, picture.width() * picture.height() / few_of); }
 
 class Finding {
  public:
   explicit Finding(const NearSearch& search)
-      : search_(search),
-        found_(near_pixels(search)),
-        few_(std::max(few_pixels, search.picture.width() * search.picture.height() / few_of)) {}
+      : search_(search), axis_(axis_of(search.outlook)), found_(near_pixels(search)), connected_(found_, jump) {}
 
-  std::vector<Thing> things() {
-    connect();
+  std::vector<Thing> things() const {
     std::vector<Thing> things;
-    for (const Members& some : connected()) {
+    for (const Members& some : connected_.things()) {
       if (is_enough(some)) things.push_back(thing_of(some));
     }
     return things;
   }
 
  private:
-  static constexpr Index none = std::numeric_limits<Index>::max();
-
-  /// Sides on which a pixel touches another one of its thing.
-  enum Side : std::uint8_t { Left = 1, Right = 2, Above = 4, Below = 8, All = 15 };
-
-  /// One of the rows that were looked at: of each slot, and of one beside them, the pixel.
-  struct Line {
-    std::size_t row = 0;
-    Members at = {};
-  };
-
-  /// With what lies to the left of each pixel, and above it.
-  void connect() {
-    const std::size_t size = found_.pixels.size();
-    touched_.assign(size, 0);
-    run_.resize(size);
-    ahead_.resize(size);
-    for (Index i = 0; i < size; ++i) ahead_[i] = found_.pixels[i].ahead;
-    std::array<Line, gap + 1> lines;  // the latest first
-    for (Line& line : lines) line.at.assign(found_.slots + 2, none);
-    Index end = 0;
-    for (Index begin = 0; begin < size; begin = end) {
-      std::rotate(lines.begin(), lines.end() - 1, lines.end());
-      while (end < size && found_.pixels[end].line == found_.pixels[begin].line) ++end;
-      lines[0].row = found_.rows[found_.pixels[begin].line];
-      std::fill(lines[0].at.begin(), lines[0].at.end(), none);
-      for (Index i = begin; i < end; ++i) connect_left(i, begin);
-      for (Index i = begin; i < end; ++i) {
-        lines[0].at[found_.pixels[i].slot + std::size_t{1}] = i;
-        for (std::size_t up = 1; up <= gap && !connect_up(i, lines[0], lines[up]); ++up) {
-        }
-      }
-    }
-  }
-
-  /// What is connected along a line, from `begin` on, is one run, so that runs are joined and not every pixel.
-  void connect_left(Index i, Index begin) {
-    const auto& pixels = found_.pixels;
-    for (Index j = i; j-- > begin && pixels[j].slot + gap >= pixels[i].slot;) {
-      if (!go_on(i, j)) continue;
-      touched_[i] |= Left, touched_[j] |= Right;
-      run_[i] = run_[j];
-      return;
-    }
-    run_[i] = runs_.add();
-  }
-
-  /// Whether something in a line above that of a pixel is the same thing.
-  bool connect_up(Index i, const Line& own, const Line& line) {
-    if (own.row - line.row > gap * found_.row_step) return false;
-    const Index* const over = line.at.data() + found_.pixels[i].slot + 1;
-    if (try_join(i, over[0])) {
-      touched_[i] |= Above, touched_[over[0]] |= Below;
-      return true;
-    }
-    const bool left = try_join(i, over[-1]), right = try_join(i, over[1]);
-    return left || right;
-  }
-
-  bool go_on(Index i, Index j) const { return std::abs(ahead_[i] - ahead_[j]) <= jump; }
-
-  bool try_join(Index i, Index j) {
-    if (j == none || !go_on(i, j)) return false;
-    const std::pair<Index, Index> both{run_[i], run_[j]};
-    if (both != joined_) runs_.join(both.first, both.second);
-    joined_ = both;
-    return true;
-  }
-
-  /// Those that are one, by the first of each.
-  std::vector<Members> connected() {
-    std::vector<Index> thing(runs_.size());  // of each run; the first run of a thing is the first to be met
-    Index things = 0;
-    for (Index run = 0; run < thing.size(); ++run) {
-      const Index root = runs_.root(run);
-      thing[run] = root == run ? things++ : thing[root];
-    }
-    std::vector<Index> size(things, 0);
-    for (const Index run : run_) ++size[thing[run]];
-    std::vector<Members> all(things);
-    for (std::size_t i = 0; i < all.size(); ++i) all[i].reserve(size[i]);
-    for (Index i = 0; i < run_.size(); ++i) all[thing[run_[i]]].push_back(i);
-    return all;
-  }
-
   /// A few pixels are told from noise by those around them, of which the search has left some out.
   bool is_enough(const Members& some) const {
     std::size_t pixels = some.size();
@@ -173,10 +58,10 @@ class Finding {
   Thing thing_of(const Members& some) const {
     Thing thing;
     thing.nearest = std::numeric_limits<float>::infinity();
-    Members lowest(found_.slots, none);
+    Members lowest(found_.slots, no_index);
     const std::size_t pixels_each = found_.row_step * found_.column_step;
     thing.pixels = some.size() * pixels_each;
-    thing.is_slight = search_.least_pixels > 1 && thing.pixels < few_;
+    thing.is_slight = search_.least_pixels > 1 && thing.pixels < few_in(search_.picture);
     for (const Index i : some) {
       const NearPixel& pixel = found_.pixels[i];
       thing.nearest = std::min(thing.nearest, pixel.ahead);
@@ -185,14 +70,15 @@ class Finding {
       lowest[pixel.slot] = i;  // they come row by row
     }
     for (const Index i : lowest) {
-      if (i != none) thing.feet.push_back({found_.pixels[i].row, found_.pixels[i].column, found_.pixels[i].ahead});
+      if (i != no_index) thing.feet.push_back({found_.pixels[i].row, found_.pixels[i].column, found_.pixels[i].ahead});
     }
     const auto width = static_cast<double>(search_.picture.width());
     thing.size *=
         static_cast<double>(pixels_each) / (width * width);  // but for the camera's angle, which is always the same
     Members chosen;
     chosen.reserve(some.size());
-    std::copy_if(some.begin(), some.end(), std::back_inserter(chosen), [this](Index i) { return touched_[i] == All; });
+    std::copy_if(some.begin(), some.end(), std::back_inserter(chosen),
+                 [this](Index i) { return connected_.is_inner(i); });
     if (chosen.empty()) chosen = some;
     const std::size_t step = 1 + chosen.size() / most_spots;
     thing.spots.reserve(chosen.size() / step + 1);
@@ -208,6 +94,7 @@ class Finding {
     spot.row = pixel.row, spot.column = pixel.column;
     spot.point = pixel.point;
     spot.place = placed(pixel.point, search_.outlook);
+    spot.axis = axis_;
     spot.company = around(pixel, std::numeric_limits<float>::infinity());
     return spot;
   }
@@ -223,13 +110,9 @@ class Finding {
   }
 
   const NearSearch& search_;
+  const Axis axis_;
   const NearPixels found_;
-  const std::size_t few_;
-  std::vector<float> ahead_;  ///< of each pixel
-  Union runs_;
-  std::vector<Index> run_;                         ///< of each pixel
-  std::pair<Index, Index> joined_ = {none, none};  ///< runs, latest
-  std::vector<std::uint8_t> touched_;              ///< on which sides
+  const Connected connected_;
 };
 
 }  // namespace

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "../input/cloud.hpp"
+#include "axis.hpp"
 
 namespace safety_control_cloud {
-
-/// Which way a camera looks, in the corridor's axes.
-struct Axis {
-  std::array<float, 3> ahead = {0.0f, 0.0f, 1.0f}, right = {1.0f, 0.0f, 0.0f};
-};
 
 /// A pixel in which a thing was seen, and what the picture is asked about there.
 struct Spot {

@@ -52,13 +52,6 @@ Common common(const std::vector<Spot>& before, const Thing& now) {
 /// picture to the next (0.3 degrees) for it to rest.
 constexpr float same_axis = 0.99985f, rests = 0.999986f;
 
-bool are_same(const Axis& a, const Axis& b, float least) {
-  const auto cosine = [](const std::array<float, 3>& one, const std::array<float, 3>& other) {
-    return one[0] * other[0] + one[1] * other[1] + one[2] * other[2];
-  };
-  return cosine(a.ahead, b.ahead) > least && cosine(a.right, b.right) > least;
-}
-
 /// A hole where the thing left none: something else may stand there that went out of sight together with it.
 bool is_dense_hole(const Spot& spot, const Pixels& picture) { return spot.company >= dense && is_hole(spot, picture); }
 
@@ -101,7 +94,6 @@ void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const 
   const bool rest = !axis_ || are_same(*axis_, axis, rests);
   for (Remembered& thing : things_) {
     note_vanished(thing, picture, near);
-    for (Spot& spot : thing.seen.spots) spot.axis = axis;
     if (rest) ask(thing, picture, floor_again, axis);
   }
   axis_ = axis;

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "../look/outlook.hpp"
+
+namespace safety_control_cloud {
+
+/// Which way a camera looks, in the corridor's axes.
+struct Axis {
+  std::array<float, 3> ahead = {0.0f, 0.0f, 1.0f}, right = {1.0f, 0.0f, 0.0f};
+};
+
+inline Axis axis_of(const Outlook& outlook) {
+  if (!outlook.placement) return {};
+  const auto& [x, y, z] = outlook.placement->rows;
+  return {{x[2], y[2], z[2]}, {x[0], y[0], z[0]}};
+}
+
+/// Whether the angle between them is less than that of which `least` is the cosine.
+inline bool are_same(const Axis& a, const Axis& b, float least) {
+  const auto cosine = [](const std::array<float, 3>& one, const std::array<float, 3>& other) {
+    return one[0] * other[0] + one[1] * other[1] + one[2] * other[2];
+  };
+  return cosine(a.ahead, b.ahead) > least && cosine(a.right, b.right) > least;
+}
+
+}  // namespace safety_control_cloud
