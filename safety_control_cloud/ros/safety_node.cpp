@@ -14,7 +14,7 @@ namespace safety_control_cloud {
 SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Delivery delivery,
                        const Settings& settings)
     : control_(settings),
-      camera_(sensors_of(settings).front(), handle, private_handle),
+      camera_(sensors_of(settings).front(), handle, private_handle, handle.resolveName("output")),
       commands_(handle, "cmd_vel_mux/input/teleop", [this] { on_quiet(); }),
       output_(handle.advertise<sensor_msgs::PointCloud2>("output", 1)),
       reports_(private_handle, log_),

@@ -13,8 +13,9 @@ std::string first_words(const SensorSettings& sensor) {
 
 }  // namespace
 
-Channel::Channel(const SensorSettings& sensor, const ros::NodeHandle& handle, const ros::NodeHandle& private_handle)
-    : sensor_(sensor), awaited_(wanted_by(sensor, handle, private_handle), handle.resolveName("output")) {}
+Channel::Channel(const SensorSettings& sensor, const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+                 const std::string& own)
+    : sensor_(sensor), awaited_(wanted_by(sensor, handle, private_handle), own) {}
 
 void Channel::open(ros::NodeHandle& handle, const ros::NodeHandle& private_handle, Delivery delivery,
                    const OnArrival& on_arrival, const Warn& log, const Warn& warn) {

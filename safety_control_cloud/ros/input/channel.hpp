@@ -14,7 +14,9 @@ namespace safety_control_cloud {
 /// One sensor's way into the node: what it sends, or why nothing has come.
 class Channel {
  public:
-  Channel(const SensorSettings& sensor, const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
+  /// `own`: a topic on which the node answers with what a sensor might send too; none: it does not.
+  Channel(const SensorSettings& sensor, const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+          const std::string& own = {});
 
   /// From now on what comes is handed over; `log` is told of the first, `warn` what somebody should know.
   void open(ros::NodeHandle& handle, const ros::NodeHandle& private_handle, Delivery delivery,
