@@ -88,7 +88,20 @@ TEST(Together, EdgeThatLeavesThePictureAtItsTopIsStillThere) {
   }
 }
 
-/// A sliver of what moves fast at the corridor's side, or false pixels; a static thing is seen again and again.
+TEST(Together, FewFalsePixelsInOneCloudAreForgotten) {
+  Robot robot;
+  for (int i = 0; i < 10; ++i) robot.sees(Scene());
+  Scene scene;
+  for (const std::size_t row : {40, 41}) {
+    for (const std::size_t column : {80, 81}) scene.set(row, column, 0.6f);
+  }
+  robot.sees(scene);
+  Decision decision;
+  for (int i = 0; i < 10; ++i) decision = robot.sees(Scene());
+  EXPECT_EQ(decision.speed, 0.2);
+}
+
+/// A sliver of what moves fast at the corridor's side; a static thing is seen again and again.
 TEST(Together, LittleThatIsSeenInOneCloudAloneIsForgotten) {
   struct Block {
     std::size_t rows, columns;

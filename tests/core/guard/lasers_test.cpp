@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the guard knows by a laser, wherever it looks.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "robot_with_sensors.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+TEST(Lasers, ALaserSeesBesideAndBehind) {
+  RobotWithSensors to_the_right, backward, robot;
+  for (RobotWithSensors* one : {&to_the_right, &backward, &robot}) {
+    one->rear_shows = false;
+    one->shows_beside_it();
+  }
+  const Guarded& left = robot.drives({0.0, 0.5, 0.0});
+  EXPECT_LT(left.factor, 1.0);
+  EXPECT_EQ(left.sensor, "laser");
+  ASSERT_TRUE(left.point);
+  EXPECT_NEAR(left.point->y, 0.35, 0.03);
+  EXPECT_EQ(to_the_right.drives({0.0, -0.3, 0.0}).factor, 1.0);
+  EXPECT_EQ(backward.drives({-0.3, 0.0, 0.0}).factor, 1.0) << "the laser looks there";
+}
+
+/// Some drivers count bearings from 0 to a whole turn.
+TEST(Lasers, ALaserSeesWhatHasGoneFromWhereverItsBearingsBegin) {
+  for (const double first : {-pi, 0.0, -0.5 * pi}) {
+    for (const std::size_t bearing : {30, 100, 200, 290, 345}) {  // [degrees] from the first on
+      RobotWithSensors robot;
+      robot.first_bearing = first;
+      const auto stands = [&] {
+        for (int i = 0; i < 20; ++i) {
+          robot.control.note_odometry(robot.now.ros, {}, {});
+          robot.drives_on({});
+        }
+      };
+      for (std::size_t i = 0; i < 7; ++i) robot.ranges[bearing + i] = 0.45f;
+      stands();
+      std::fill(robot.ranges.begin(), robot.ranges.end(), 5.0f);
+      stands();
+      const double there = first + static_cast<double>(bearing + 3) * pi / 180.0;
+      const Guarded& answer = robot.wants({0.6 * std::cos(there), 0.6 * std::sin(there), 0.0});
+      EXPECT_EQ(answer.factor, 1.0) << first << ", " << bearing << ": " << answer.sensor << ", " << answer.reason;
+    }
+  }
+}
+
+TEST(Lasers, AWholeScanOfInfinitiesIsBlindUnlessTheyAreFree) {
+  Settings free = with_sensors();
+  free.sensors[laser].own["inf_is_free"] = 1.0;
+  for (const bool is_free : {false, true}) {
+    RobotWithSensors robot(is_free ? free : with_sensors());
+    robot.ranges.assign(360, std::numeric_limits<float>::infinity());
+    const Guarded& answer = robot.drives({-0.3, 0.0, 0.0});
+    EXPECT_EQ(answer.factor, is_free ? 1.0 : 0.0) << answer.reason;
+    EXPECT_EQ(answer.cause, is_free ? Cause::Seen : Cause::Blind);
+  }
+}
+
+TEST(Lasers, ABlindLaserThatLooksAllAroundLeavesNoWayAway) {
+  RobotWithSensors robot;
+  ASSERT_EQ(robot.drives({-0.1, 0.0, 0.0}).factor, 1.0);
+  robot.ranges.assign(360, std::numeric_limits<float>::quiet_NaN());
+  for (const Twist2& twist : {Twist2{0.1, 0.0, 0.0}, Twist2{-0.1, 0.0, 0.0}, Twist2{0.0, 0.1, 0.0}})
+    EXPECT_EQ(robot.drives(twist).factor, 0.0) << twist.vx << " " << twist.vy;
+}
+
+TEST(Lasers, AScanWhosePlaneLeavesTheBandIsNoSight) {
+  for (const Placing& place : {laser_at(0.02), laser_at(0.9), laser_at(0.2, 0.4), laser_at(0.2, pi / 2.0)}) {
+    RobotWithSensors robot;
+    robot.laser_place = place;
+    const Guarded& answer = robot.drives({0.1, 0.0, 0.0});
+    EXPECT_EQ(answer.cause, Cause::WrongView) << answer.reason;
+    EXPECT_EQ(answer.factor, 0.0);
+  }
+}
+
+TEST(Lasers, ALaserUpsideDownSeesTheOtherSide) {
+  RobotWithSensors to_the_right, to_the_left;
+  Eigen::Matrix<double, 3, 4> place;
+  place << 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0.2;
+  for (RobotWithSensors* robot : {&to_the_right, &to_the_left}) {
+    robot->laser_place = placing_of(place);
+    robot->shows_beside_it();
+  }
+  EXPECT_LT(to_the_right.drives({0.0, -0.5, 0.0}).factor, 1.0);
+  EXPECT_EQ(to_the_left.drives({0.0, 0.3, 0.0}).factor, 1.0);
+}
+
+}  // namespace
+}  // namespace safety_control_cloud
