@@ -11,7 +11,7 @@ from typing import Any, Callable, Dict, Sequence, Tuple
 import numpy as np
 from PIL import Image as Picture
 from recordings import CLOUD, FRAME, MadeCloud, cloud_message, wall_at
-from ros2_bags import SQLITE, names_of, ros2_writer
+from ros2_bags import MCAP, SQLITE, names_of, ros2_writer
 from rosbags.rosbag1 import Writer as Ros1Writer
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
@@ -127,3 +127,7 @@ def write_drive2(path: Path, records: Sequence[Record], storage: str = SQLITE) -
             message = store.serialize_cdr(record.make(store), record.kind)
             writer.write(connections[record.topic], START + record.time, message)
     return path
+
+
+def write_mcap(path: Path, records: Sequence[Record]) -> Path:
+    return write_drive2(path, records, MCAP)

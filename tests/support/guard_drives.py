@@ -126,3 +126,6 @@ def moved(time: float, x: float) -> Record:
 def touched(time: float, is_touched: bool, topic: str = "/bumper") -> Record:
     kind = "std_msgs/msg/Bool"
     return Record(round(time * SECOND), topic, kind, lambda store: store.types[kind](data=is_touched), "/base")
+
+
+LASER_ALONE = driven_at_wall(seconds=1.0, sensors=["laser"])
