@@ -119,8 +119,16 @@ Look GuardSensor::take(const Reading& reading, const Origin& origin, const Insta
   const auto* scan = std::get_if<ScanView>(&reading);
   const FieldOfView field = scan ? FieldOfView{} : field_in(view);
   const Eye eye = scan ? eye_of(outlook, *scan) : eye_of(outlook, field);
-  taken_ =
-      Taken{now, on_its_way, scan ? scan->lasts : 0.0, eye, field, outlook, given.reckoned_at(now.steady - on_its_way)};
+  const Heights heights{own_.frame_corridor.bottom, own_.frame_corridor.top};
+  const Horizon horizon = scan ? Horizon(outlook, *scan, heights) : Horizon(outlook, field, heights);
+  taken_ = Taken{now,
+                 on_its_way,
+                 scan ? scan->lasts : 0.0,
+                 eye,
+                 horizon,
+                 field,
+                 outlook,
+                 given.reckoned_at(now.steady - on_its_way)};
   const double measures_from =
       own_.input == InputKind::Scan ? least_of_scan : own_.near_loss.blind_range + least_beyond;
   return {reading, view, outlook, now.ros - on_its_way, measures_from, taken_->lasts};
@@ -177,6 +185,7 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
   known.age = std::max(now.steady - taken_->arrival.steady, now.ros - taken_->arrival.ros) + taken_->time_to_arrive;
   known.ways = ways_since_look(now, odometry, given);
   known.eye = taken_->eye;
+  known.horizon = taken_->horizon;
   known.cap = cap_by(sensor_.answer(), own_);
   return known;
 }

@@ -71,6 +71,7 @@ class GuardSensor {
     double time_to_arrive;  ///< [s] since its stamp, as far as that is believed
     double lasts;           ///< [s] for which it was being taken after its stamp
     Eye eye;
+    Horizon horizon;
     FieldOfView field;
     Outlook outlook;
     Given::Reckoned from;  ///< where the robot was then

@@ -3,34 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
+#include "new_ground.hpp"
 #include "pose.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr int around_circle = 24, times = 8;
+constexpr int times = 8;
 constexpr double way_ahead = 1.0;      ///< [s] of a twist: its direction counts, not how far it leads
-constexpr double new_ground = 2e-3;    ///< [m] from where the footprint is now
 constexpr double beside_view = 1.05;   ///< [rad] beyond which a way leads out of the picture
 constexpr double seam = 0.1;           ///< [rad] between the last beam of a whole turn and the first
 constexpr double straight = 0.1;       ///< [rad/m] a driver's hand is not steadier
 constexpr double least_away = 0.7071;  ///< cosine: half a right angle to each side
-
-std::vector<Point2> boundary_of(const Outline& outline) {
-  std::vector<Point2> points;
-  for (const Side& side : outline.sides()) {
-    points.push_back(side.segment.from);
-    points.push_back(0.5 * (side.segment.from + side.segment.to));
-  }
-  for (int i = 0; outline.sides().empty() && i < around_circle; ++i) {
-    const double angle = 2.0 * pi * i / around_circle;
-    points.push_back({outline.radius() * std::cos(angle), outline.radius() * std::sin(angle)});
-  }
-  return points;
-}
 
 /// `ahead`: the axis in the sensor's own frame.
 Eye towards(const Outlook& outlook, const Point& ahead, double half_angle) {
@@ -53,15 +39,9 @@ bool translates_away(const Eye& eye, const Twist2& twist) {
 /// Whether any place to which the footprint comes by a twist, and where it is not now, is such a one.
 template <class Is>
 bool any_new_place(const Outline& outline, const Twist2& twist, Is is) {
-  const std::vector<Point2> boundary = boundary_of(outline);
-  for (int i = 1; i <= times; ++i) {
-    const Pose2 way = way_of(twist, way_ahead * i / times);
-    const Turn turn(way.heading);
-    for (const Point2& point : boundary) {
-      const Point2 place = way.place + turn(point);
-      if (outline.signed_distance(place) > new_ground && is(place)) return true;
-    }
-  }
+  const NewGround ground(outline);
+  for (int i = 1; i <= times; ++i)
+    if (ground.any(way_of(twist, way_ahead * i / times), is)) return true;
   return false;
 }
 

@@ -70,6 +70,10 @@ Allowed Guard::allowed(const Twist2& wanted, const std::vector<Twist2>& under_wa
   }
   const bool in_view = is_in_view(wanted, known);
   Allowed capped = lesser(lesser(by_speed(wanted), by_eyes(wanted, known, in_view)), by_zones(wanted, known));
+  if (Allowed within = by_horizon(limited(wanted, capped.factor), known); within.factor < 1.0) {
+    within.factor *= capped.factor;
+    capped = std::move(within);
+  }
   capped.in_view = in_view;
   const Twist2 slower = limited(wanted, capped.factor);
   Allowed seen;
@@ -140,6 +144,28 @@ Allowed Guard::by_eyes(const Twist2& wanted, const std::vector<Known>& known, bo
   least = lesser(std::move(least), capped(wanted, settings_.unseen_speed, "no sensor looks there: unseen_speed"));
   for (const Known& one : known) least = slowly_from(one, std::move(least));
   return least;
+}
+
+/// No faster than it can stop within what is seen there, unless that is slower than where nothing is seen.
+Allowed Guard::by_horizon(const Twist2& wanted, const std::vector<Known>& known) const {
+  std::vector<Sighted> looking;
+  Response slowest{};
+  for (const Known& one : known) {
+    if (one.lost || !one.eye) continue;
+    const Response response = response_to(one.law, one.age, wanted);
+    if (response.reaction >= slowest.reaction) slowest = response;
+    double gone = 0.0;
+    for (const Pose2& way : one.ways) gone = std::max(gone, length_of(way.place));
+    const double comes = one.law.obstacle_speed * (response.reaction + response.braking);
+    looking.push_back({*one.eye, one.horizon, gone + comes});
+  }
+  Allowed allowed;
+  const double time = time_to_horizon(outline_, looking, wanted, stopping_time(1.0, slowest.reaction, slowest.braking));
+  const double factor = greatest_factor(time, slowest), speed = fastest_point(outline_, wanted);
+  if (factor >= 1.0 || speed <= settings_.unseen_speed) return allowed;
+  allowed.factor = std::max(factor, settings_.unseen_speed / speed);
+  allowed.reason = "no sensor sees so far there that the robot could stop";
+  return allowed;
 }
 
 Allowed Guard::by_sight(const Twist2& wanted, const std::vector<Twist2>& under_way, const Known& known) const {

@@ -51,6 +51,7 @@ class Guard {
   Allowed by_zones(const Twist2& wanted, const std::vector<Known>& known) const;
   bool is_in_view(const Twist2& wanted, const std::vector<Known>& known) const;
   Allowed by_eyes(const Twist2& wanted, const std::vector<Known>& known, bool in_view) const;
+  Allowed by_horizon(const Twist2& wanted, const std::vector<Known>& known) const;
   Allowed capped(const Twist2& wanted, double fastest, const std::string& reason) const;
 
   GuardSettings settings_;

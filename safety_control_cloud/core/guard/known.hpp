@@ -8,7 +8,7 @@
 #include "../doubt/doubt.hpp"
 #include "../speed/law.hpp"
 #include "../speed/zone.hpp"
-#include "eye.hpp"
+#include "horizon.hpp"
 #include "pose.hpp"
 #include "surroundings.hpp"
 
@@ -28,6 +28,7 @@ struct Known {
   double age = 0.0;                          ///< [s] since then
   std::vector<Pose2> ways;     ///< that the robot may have gone since then; the true one lies between them
   std::optional<Eye> eye;      ///< where it looks
+  Horizon horizon;             ///< and how far it sees there
   std::optional<Doubt> doubt;  ///< why it is not to be believed: nothing is safe
   std::optional<Doubt> lost;   ///< why it is not to be believed where it looks: only away from there
   std::string hint;            ///< what would free it then

@@ -42,7 +42,7 @@ struct RobotWithSensors : GuardedRobot {
   Scene ahead, behind;
   std::vector<float> ranges = std::vector<float>(360, 5.0f);
   ScanPoints scans;
-  double first_bearing = -pi;
+  double first_bearing = -pi, range_max = 10.0;
   Placing laser_place = laser_at(0.2);
   double rear_heading = pi;
   bool front_shows = true, rear_shows = true, laser_shows = true;
@@ -52,13 +52,13 @@ struct RobotWithSensors : GuardedRobot {
     for (std::size_t degrees = 267; degrees <= 273; ++degrees) ranges[degrees] = 0.35f;
   }
 
-  void see_scan() {
+  void see_scan(std::size_t sensor = laser) {
     Scan scan;
     scan.angle_min = first_bearing, scan.angle_increment = 2.0 * pi / 360.0;
     scan.angle_max = first_bearing + 2.0 * pi - scan.angle_increment;
-    scan.scan_time = 0.1, scan.range_min = 0.1, scan.range_max = 10.0;
+    scan.scan_time = 0.1, scan.range_min = 0.1, scan.range_max = range_max;
     scan.ranges = ranges.data(), scan.size = ranges.size();
-    control.see(scans.of(scan), {now.ros, laser_place, "laser", "laser"}, now, laser);
+    control.see(scans.of(scan), {now.ros, laser_place, "laser", "laser"}, now, sensor);
   }
 
   /// As somebody says it again and again, and sensors that show the same; until it has settled.
