@@ -15,7 +15,7 @@ TESTED_AS = {
     "guard_memory": "guard/out_of_sight_test and without_odometry_test: what a guard does by it",
     "sensor_settings": "guard/guard_settings_test and guard_sensors_test",
     "input/kind": "tests/ros/taking_test.cpp: names of what is taken",
-    **dict.fromkeys(["guard/cells", "guard/eye", "guard/guard", "guard/lists", "guard/new_ground"],
+    **dict.fromkeys(["guard/cells", "guard/eye", "guard/lists", "guard/new_ground"],
                     "guard_control_test, surroundings_test: what the robot is let do of what several eyes saw"),
     **dict.fromkeys(["memory/connected", "memory/evidence", "memory/near_ground", "memory/near_pixels", "memory/near_things", "memory/pixels",
                      "memory/raster", "memory/settings", "memory/things_memory"],

@@ -11,8 +11,6 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double between_ways = 0.25;  ///< of the greatest way: how far the true one is from the nearest of the four
-
 Allowed standing(const std::string& sensor, const Doubt& doubt) {
   return {0.0, 0.0, std::nullopt, sensor, doubt.cause, doubt.reason};
 }
@@ -25,11 +23,16 @@ Footprint widened(const Outline& outline, double widening) {
   return footprint;
 }
 
-/// What a point's being told instead of a way's end may hide, for points that lie in a ring.
-double widening_for(const std::vector<Pose2>& ways, double extent) {
-  double most = 0.0;
-  for (const Pose2& way : ways) most = std::max(most, displacement(way, std::sqrt(2.0) * extent));
-  return ways.size() > 1 ? between_ways * most : 0.0;
+/// How far points of a ring may be from where the nearest of the ways has them, if the true one lies between two that
+/// follow each other by their size.
+double widening_for(std::vector<Pose2> ways, double extent) {
+  const double farthest = std::sqrt(2.0) * extent;
+  std::sort(ways.begin(), ways.end(),
+            [&](const Pose2& a, const Pose2& b) { return displacement(a, farthest) < displacement(b, farthest); });
+  double gap = 0.0;
+  for (std::size_t i = 1; i < ways.size(); ++i)
+    gap = std::max(gap, displacement(between(ways[i - 1], ways[i]), farthest));
+  return 0.5 * gap;
 }
 
 std::string in_words(const Limit& limit, const Point2& point) {
