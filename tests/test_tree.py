@@ -12,7 +12,7 @@ TOP_LEVEL = {
     *("safety_control_cloud", "tests", "scripts", "CMakeLists.txt", "package.xml", "README.md"),
     *("msg", "cfg", "srv", "setup.py", "LICENSE", "CHANGELOG.rst"),
 }
-TOOLS_OF_A_CLONE = {"setup", "test", "demo", "bench", "trials"}
+TOOLS_OF_A_CLONE = {"setup", "test", "demo", "bench", "trials", "package"}
 SOURCE_FOLDERS = {"core", "ros", "python", "launch", "config", "rviz", "urdf"}
 PAGES = {"GUARD.md", "README.md", "TUTORIAL.md", "LIMITS.md"}
 

@@ -36,6 +36,34 @@ debian12_check_packages=(libclang-rt-14-dev)
 debian13_check_packages=(libclang-rt-dev)
 # For tests/platforms alone: Gazebo 11, in Debian 11.
 gazebo_packages=(gazebo libgazebo-dev)
+# What of package.xml's packages for run time is no library, by package.xml's names: scripts/package's .deb depends on it.
+declare -A run_time_on_debian=(
+  [diagnostic_updater]=python3-diagnostic-msgs
+  [dynamic_reconfigure]=python3-dynamic-reconfigure
+  [geometry_msgs]=python3-geometry-msgs
+  [image_transport]=
+  [message_runtime]=ros-message-runtime
+  [nav_msgs]=python3-nav-msgs
+  [nodelet]=libnodeletlib-tools
+  [pcl_conversions]=
+  [pcl_ros]=
+  [pluginlib]=
+  [robot_state_publisher]=ros-robot-state-publisher
+  [rosbag]="python3-rosbag python3-roslz4"
+  [rosgraph]=python3-rosgraph
+  [rosgraph_msgs]=python3-rosgraph-msgs
+  [roscpp]=rosbash  # rosrun
+  [roslaunch]="python3-roslaunch rosout"
+  [rospy]=python3-rospy
+  [rviz]=rviz
+  [sensor_msgs]=python3-sensor-msgs
+  [std_msgs]=python3-std-msgs
+  [std_srvs]=python3-std-srvs
+  [tf2_msgs]=python3-tf2-msgs
+  [tf2_ros]=python3-tf2-ros
+  [topic_tools]=
+  [visualization_msgs]=python3-visualization-msgs
+)
 # Their names begin with ros-noetic- or ros-one-.
 ros_packages=(
   catkin diagnostic-updater dynamic-reconfigure geometry-msgs image-transport message-generation message-runtime nodelet

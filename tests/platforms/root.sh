@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# A Debian of its own in a folder. Sourced by run; wants $platform, $cache (the platform's own folder) and $mirror.
+# A Debian of its own in a folder, $root. Sourced by run; wants $platform, $cache (the platform's own folder) and $mirror.
 
 declare -A suites=([debian11]=bullseye [debian12]=bookworm [debian13]=trixie)
 passed_on=(http_proxy https_proxy no_proxy PIP_CERT PIP_INDEX_URL PIP_DEFAULT_TIMEOUT CMAKE_BUILD_PARALLEL_LEVEL)
@@ -18,7 +18,7 @@ as_outside() {
 
 # Bare: debootstrap's minbase and the certificates. The packages' files stay in the cache, for the next one.
 make_root() {
-  local partial=$cache/root.partial
+  local partial=$root.partial
   rm -rf --one-file-system "$partial"
   debootstrap --variant=minbase --include=ca-certificates --cache-dir="$cache/debs" "${suites[$platform]}" "$partial" "$mirror"
   as_outside "$partial"
@@ -26,7 +26,7 @@ make_root() {
   chmod +x "$partial/usr/sbin/policy-rc.d"
   echo 'Binary::apt::APT::Keep-Downloaded-Packages "true";' >"$partial/etc/apt/apt.conf.d/98keep"
   echo force-unsafe-io >"$partial/etc/dpkg/dpkg.cfg.d/unsafe-io"  # who loses power makes it anew
-  mv "$partial" "$cache/root"
+  mv "$partial" "$root"
 }
 
 # inside FOLDER COMMAND [ARG...]: in the root, and in namespaces of its own: its mounts and processes end with it.
@@ -37,19 +37,19 @@ inside() {
     if [[ -v $name ]]; then environment+=("$name=${!name}"); fi
   done
   unshare --mount --pid --fork --kill-child --propagation private bash -euc '
-    root=$1/root debs=$1/debs
-    shift
+    root=$1 debs=$2
+    shift 2
     mount -t proc proc "$root/proc"
     mount --rbind /sys "$root/sys"
     mount --rbind /dev "$root/dev"
     mount -t tmpfs tmpfs "$root/dev/shm"
     mount --bind "$debs" "$root/var/cache/apt/archives"
-    exec chroot "$root" env -i "$@"' inside "$cache" "${environment[@]}" bash -c 'cd "$0" && exec "$@"' "$@"
+    exec chroot "$root" env -i "$@"' inside "$root" "$cache/debs" "${environment[@]}" bash -c 'cd "$0" && exec "$@"' "$@"
 }
 
 # The working tree as git sees it, with the files' times: what has not changed is not built again.
 bring_sources() {
-  local target=$cache/root$1
+  local target=$root$1
   mkdir -p "$target"
   find "$target" -mindepth 1 -maxdepth 1 ! -name build ! -name devel ! -name .venv -exec rm -rf {} +
   git -c "safe.directory=$sources" -C "$sources" ls-files -z --cached --others --exclude-standard --deduplicate |

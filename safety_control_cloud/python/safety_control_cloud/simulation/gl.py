@@ -7,6 +7,6 @@ os.environ.setdefault("MUJOCO_GL", "osmesa")  # draws without a display or a gra
 try:
     import mujoco
 except ModuleNotFoundError as missing:
-    raise ModuleNotFoundError(f"{missing}: scripts/setup installs MuJoCo into .venv/") from missing
+    raise ModuleNotFoundError(f"{missing}: scripts/setup installs MuJoCo into a clone's .venv/; of an installed package, pip does") from missing
 
 __all__ = ["mujoco"]
