@@ -3,10 +3,10 @@
 import os
 import shutil
 import subprocess
-import sysconfig
 from pathlib import Path
 
 import pytest
+from prefixes import prefixes
 
 from safety_control_cloud.gazebo_ros import gazebo_ros_executable
 from safety_control_cloud.processes import ProcessError
@@ -22,13 +22,6 @@ def has_gazebo():
     except ProcessError:
         return False
     return True
-
-
-def prefixes(folder):
-    """Of CMake, with one by which Debian 11's nodelets are found: they are described as in lib/, and lie in lib/<machine>."""
-    (folder / "prefix").mkdir()
-    (folder / "prefix" / "lib").symlink_to(Path("/usr/lib") / (sysconfig.get_config_var("MULTIARCH") or ""))
-    return os.pathsep.join([*filter(None, [os.environ.get("CMAKE_PREFIX_PATH")]), str(folder / "prefix")])
 
 
 def parameters():

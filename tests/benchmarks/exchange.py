@@ -10,6 +10,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Dict, List, Tuple
 
+from prefixes import prefixes
+
 from safety_control_cloud.processes import Process, ProcessError, process
 from safety_control_cloud.ros_session import PACKAGE, executable_of
 
@@ -84,7 +86,8 @@ def commands_of(target: str) -> List[List[str]]:
 def _to_clouds() -> List[str]:
     """depth_image_proc, in a nodelet manager of its own."""
     topics = ["image_rect:=camera/depth/image_rect", "points:=camera/depth/points"]
-    return [executable_of("nodelet", "nodelet"), "standalone", "depth_image_proc/point_cloud_xyz", *topics]
+    found_by = ["env", f"CMAKE_PREFIX_PATH={prefixes(PROGRAMS)}"]
+    return [*found_by, executable_of("nodelet", "nodelet"), "standalone", "depth_image_proc/point_cloud_xyz", *topics]
 
 
 def exchange_in_one_process(stream: Stream, clouds: int) -> Exchange:
