@@ -10,6 +10,7 @@ from scenes import hall, wall
 
 from safety_control_cloud.ros_session import PACKAGE, executable_of
 
+F_SETPIPE_SZ = 1031  # of Linux; Python has the name since 3.10
 CAPACITY = 4096  # [byte] the least that a pipe can hold
 
 
@@ -18,7 +19,7 @@ class Terminal:
 
     def __init__(self, command):
         self._reading, writing = os.pipe()
-        fcntl.fcntl(writing, fcntl.F_SETPIPE_SZ, CAPACITY)
+        fcntl.fcntl(writing, F_SETPIPE_SZ, CAPACITY)
         self._writing = writing
         self._fill()
         self._popen = subprocess.Popen(command, stdout=writing, stderr=writing, start_new_session=True)
