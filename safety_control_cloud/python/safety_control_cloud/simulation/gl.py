@@ -7,6 +7,7 @@ os.environ.setdefault("MUJOCO_GL", "osmesa")  # draws without a display or a gra
 try:
     import mujoco
 except ModuleNotFoundError as missing:
-    raise ModuleNotFoundError(f"{missing}: scripts/setup installs MuJoCo into a clone's .venv/; of an installed package, pip does") from missing
+    where = "scripts/setup installs MuJoCo into a clone's .venv/; of an installed package, pip does"
+    raise ModuleNotFoundError(f"{missing}: {where}") from missing
 
 __all__ = ["mujoco"]
