@@ -79,6 +79,7 @@ def drive(side: str, commands: int) -> Mapping[str, Any]:
 
 def driven(guards: Sequence[Sequence[str]], commands: int, sensors: int) -> Mapping[str, Any]:
     """What the driver says of so many commands, with the first so many sensors: guard_drive.cpp."""
+    forget()
     with ExitStack() as stack:
         nodes = [stack.enter_context(process(guard)) for guard in guards]
         numbers = [str(number) for number in (commands, sensors, *(node.pid for node in nodes))]
@@ -88,6 +89,13 @@ def driven(guards: Sequence[Sequence[str]], commands: int, sensors: int) -> Mapp
         if code != 0 or not lines:
             raise ProcessError("\n".join(one.output() for one in (driver, *nodes)))
     return json.loads(lines[-1])
+
+
+def forget() -> None:
+    """What a node of this name had near before it, in another scene maybe, is on the master: it would be missed in this one."""
+    master = rosgraph.Master("/bench")
+    if master.hasParam(f"{NODE}_lost"):
+        master.deleteParam(f"{NODE}_lost")
 
 
 def p99(latencies: Sequence[float]) -> float:
