@@ -86,11 +86,18 @@ void GuardControl::see(const Reading& reading, const Origin& origin, const Insta
   const Went went{odometry_, given_};
   if (memory_.note_breaks(went, now))
     for (GuardSensor& one : sensors_) one.forget_poses();
-  if (!look) return;
+  if (!look) return explain_blindness(sensor, origin, now);
   const auto pose = memory_.note(sensor, *look, went, now);
   const bool is_any_lost = sensors_[sensor].note_pose(pose, now.steady);
   if (!is_any_lost || !pose || !memory_.remembers()) return;
-  sensors_[sensor].explain(memory_.resting(*look, *pose, now), settings_.memory_time, now.steady);
+  sensors_[sensor].explain_loss(memory_.resting(look->outlook, *pose, now), settings_.memory_time, now.steady);
+}
+
+void GuardControl::explain_blindness(std::size_t sensor, const Origin& origin, const Instant& now) {
+  GuardSensor& blind = sensors_[sensor];
+  const auto outlook = blind.outlook_if_blind(origin.placing);
+  const auto pose = memory_.pose_at(blind.taken_at(origin, now), {odometry_, given_});
+  if (outlook && pose) blind.explain_blindness(memory_.resting(*outlook, *pose, now));
 }
 
 void GuardControl::want(const Command& wanted, const Instant& now, std::optional<double> stamp) {
@@ -125,10 +132,13 @@ std::vector<Known> GuardControl::known_at(const Instant& now) {
     const auto doubt = doubt_of(known);
     if (doubt && !sensor.is_required())
       last_.doubts.push_back(words(sensor.name(), ": ", name_of(doubt->cause), ", ", doubt->reason));
+    if (const auto blind = sensor.blindness_explained(); blind && !known.doubt)
+      last_.doubts.push_back(
+          words(sensor.name(), ": ", name_of(blind->cause), ", before what is known to stand there"));
     const bool is_absent = known.doubt || (known.lost && known.lost->cause == Cause::Blind);
     if (is_absent && !sensor.is_required()) continue;
     if (outside_) known.doubt = outside_;
-    shows[i] = true;
+    shows[i] = !known.is_placed;
     all.push_back(std::move(known));
   }
   if (!all.empty()) {

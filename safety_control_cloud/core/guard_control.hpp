@@ -91,6 +91,7 @@ class GuardControl {
   const Settings& settings() const { return settings_; }
 
  private:
+  void explain_blindness(std::size_t sensor, const Origin& origin, const Instant& now);
   std::vector<Known> known_at(const Instant& now);
   std::vector<Twist2> under_way(const Instant& now) const;
   Allowed overridden(const Twist2& wanted, const std::vector<Known>& known, const Instant& now) const;

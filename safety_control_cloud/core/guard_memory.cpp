@@ -82,8 +82,12 @@ std::optional<Whereabouts> GuardMemory::whereabouts_at(double age, const Went& w
   return pose ? std::optional(Whereabouts{*pose, {}, odometry_drift_}) : std::nullopt;
 }
 
-std::vector<KnownPlace> GuardMemory::resting(const Look& look, const Pose2& pose, const Instant& now) const {
-  return out_of_sight_.resting(look.outlook, {pose, {}, odometry_drift_}, now.steady);
+std::optional<Pose2> GuardMemory::pose_at(double stamp, const Went& went) const {
+  return by_odometry_ ? went.odometry.pose_at(stamp) : std::nullopt;
+}
+
+std::vector<KnownPlace> GuardMemory::resting(const Outlook& sensor, const Pose2& pose, const Instant& now) const {
+  return out_of_sight_.resting(sensor, {pose, {}, odometry_drift_}, now.steady);
 }
 
 /// Not every sensor that is required has looked since odometry goes on.

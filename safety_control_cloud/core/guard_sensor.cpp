@@ -17,6 +17,7 @@ namespace {
 constexpr double long_on_its_way = 0.2;  ///< [s] what comes later after its stamp than this may have one that is off
 constexpr double turned_away = 0.2;      ///< [rad] by which a camera may look past its corridor before that follows it
 
+constexpr double few_returns = 0.1;    ///< of the points: with more, a camera is not blind for what is before it
 constexpr double least_of_scan = 0.3;  ///< [m] from which on a laser measures what is there
 constexpr double least_beyond = 0.15;  ///< [m] beyond its blind range from which on a camera does
 
@@ -115,7 +116,7 @@ Look GuardSensor::take(const Reading& reading, const Origin& origin, const Insta
   const Outlook outlook = std::get<Outlook>(outlook_of(straight_, origin.placing));  // there is, or nothing were seen
   const View view = view_in(reading, straight_);
   around_.look(view, outlook);
-  const double on_its_way = own_.stamp_tolerance > 0.0 ? std::max(0.0, now.ros - origin.stamp) : 0.0;
+  const double stamp = taken_at(origin, now), on_its_way = now.ros - stamp;
   const auto* scan = std::get_if<ScanView>(&reading);
   const FieldOfView field = scan ? FieldOfView{} : field_in(view);
   const Eye eye = scan ? eye_of(outlook, *scan) : eye_of(outlook, field);
@@ -131,7 +132,11 @@ Look GuardSensor::take(const Reading& reading, const Origin& origin, const Insta
                  given.reckoned_at(now.steady - on_its_way)};
   const double measures_from =
       own_.input == InputKind::Scan ? least_of_scan : own_.near_loss.blind_range + least_beyond;
-  return {reading, view, outlook, now.ros - on_its_way, measures_from, taken_->lasts};
+  return {reading, view, outlook, stamp, measures_from, taken_->lasts};
+}
+
+double GuardSensor::taken_at(const Origin& origin, const Instant& now) const {
+  return own_.stamp_tolerance > 0.0 ? std::min(origin.stamp, now.ros) : now.ros;
 }
 
 /// None too if more is lost than it tells of.
@@ -149,10 +154,31 @@ bool GuardSensor::note_pose(const std::optional<Pose2>& pose, double now) {
   return lost != nullptr;
 }
 
-void GuardSensor::explain(const std::vector<KnownPlace>& known, double time, double now) {
+void GuardSensor::explain_loss(const std::vector<KnownPlace>& known, double time, double now) {
   const Loss* lost = loss();
   is_explained_ = lost && placed_ && lost_.are_among(known, placed_->pose, taken_->eye, time, now) &&
                   hides(known, lost->covered, taken_->field, own_.near_loss.blind_range);
+}
+
+std::optional<Outlook> GuardSensor::outlook_if_blind(const Placing& placing) const {
+  const auto* doubt = std::get_if<Doubt>(&sensor_.answer());
+  const auto* placement = std::get_if<Placement>(&placing);
+  const bool is_blind = doubt && doubt->cause == Cause::Blind && was_sound_;
+  if (!is_blind || own_.input == InputKind::Scan || !taken_ || !placement) return std::nullopt;
+  return Outlook({}, *placement);
+}
+
+void GuardSensor::explain_blindness(const std::vector<KnownPlace>& known) {
+  const Sight& counted = sensor_.counted();
+  const double returned = static_cast<double>(counted.returns) / static_cast<double>(counted.total);
+  const Span all{0.0, 1.0};
+  is_explained_ = returned <= few_returns && hides(known, {all}, taken_->field, own_.near_loss.blind_range, returned);
+}
+
+std::optional<Doubt> GuardSensor::blindness_explained() const {
+  const auto* doubt = std::get_if<Doubt>(&sensor_.answer());
+  const bool is = doubt && doubt->cause == Cause::Blind && was_sound_ && is_explained_;
+  return is ? std::optional(*doubt) : std::nullopt;
 }
 
 void GuardSensor::forget_poses() {
@@ -171,6 +197,16 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
   known.sensor = about_.name;
   known.law = law_;
   if (const auto* doubt = std::get_if<Doubt>(&sensor_.answer())) known.doubt = *doubt;
+  if (auto blind = blindness_explained()) {
+    static const std::vector<Ring> nothing;
+    known.rings = &nothing;
+    known.ways = {Pose2{}};
+    known.eye = taken_->eye;
+    known.lost = std::move(blind);
+    known.is_placed = true;
+    known.doubt = outside_;
+    return known;
+  }
   if (auto lost = loss_in(sensor_.answer(), own_.corridor.min_points, is_explained_); lost && was_sound_) {
     known.lost = std::move(lost);
     if (const auto* seen = std::get_if<Seen>(&sensor_.answer()); seen && seen->loss) known.hint = seen->loss->hint;

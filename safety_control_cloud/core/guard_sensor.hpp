@@ -31,7 +31,16 @@ class GuardSensor {
   bool note_pose(const std::optional<Pose2>& pose, double now);
 
   /// What is known to be around it there, and for how long such is kept [s]: if that is all that is lost, nothing is.
-  void explain(const std::vector<KnownPlace>& known, double time, double now);
+  void explain_loss(const std::vector<KnownPlace>& known, double time, double now);
+
+  /// How it is placed, if it has been blind since it was sound last; none: it sees, or something else is the matter.
+  std::optional<Outlook> outlook_if_blind(const Placing& placing) const;
+
+  /// What is known to be around it where it is blind: if that hides all from it, only the way ahead is closed.
+  void explain_blindness(const std::vector<KnownPlace>& known);
+
+  /// That it is blind, and why that tells nothing new.
+  std::optional<Doubt> blindness_explained() const;
 
   /// Where the robot was is not known any more.
   void forget_poses();
@@ -47,6 +56,9 @@ class GuardSensor {
 
   /// Whether what it shows was taken after this stamp [s, ROS].
   bool has_looked_since(double stamp) const { return taken_ && taken_->arrival.ros - taken_->time_to_arrive >= stamp; }
+
+  /// [s, ROS] When a reading was taken that comes now, as far as its stamp is believed.
+  double taken_at(const Origin& origin, const Instant& now) const;
 
   /// Where it looked last; none: it shows nothing.
   std::optional<Eye> eye() const { return taken_ ? std::optional(taken_->eye) : std::nullopt; }
@@ -92,7 +104,7 @@ class GuardSensor {
   std::optional<Taken> taken_;
   std::optional<LostSpots::Before> placed_;  ///< the latest that was believed
   LostSpots lost_;
-  bool is_explained_ = false;           ///< what is lost in it
+  bool is_explained_ = false;           ///< what is lost in it, or why it is blind
   bool was_sound_ = false;              ///< nothing but what it cannot see any more speaks against it
   std::optional<double> last_arrival_;  ///< [s] steady
   std::optional<Doubt> outside_;

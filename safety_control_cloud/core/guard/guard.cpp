@@ -40,6 +40,12 @@ std::string in_words(const Limit& limit, const Point2& point) {
                measured(point.y, "m"));
 }
 
+bool may_leave(const Known& known, const Twist2& wanted) {
+  if (!known.eye) return false;
+  const bool ahead = dot(known.eye->direction, linear(wanted)) > 0.0;
+  return leads_away_from(*known.eye, wanted) || (known.is_placed && !ahead);
+}
+
 /// What the whole of a motion would run into, where the part of it that is left clears all.
 Contact on_the_path(const Outline& outline, const Obstacles& obstacles, const Twist2& wanted) {
   const Sweep sweep(outline, wanted);
@@ -65,8 +71,10 @@ Allowed Guard::allowed(const Twist2& wanted, const std::vector<Twist2>& under_wa
   if (known.empty()) return standing({}, {Cause::NoCloud, "there is no sensor"});
   for (const Known& one : known) {
     if (one.doubt) return standing(one.sensor, *one.doubt);
-    if (one.lost && !(one.eye && leads_away_from(*one.eye, wanted))) {
-      Allowed none = standing(one.sensor, {one.lost->cause, one.lost->reason + "; only straight away from there"});
+    if (one.lost && !may_leave(one, wanted)) {
+      Allowed none = standing(
+          one.sensor,
+          {one.lost->cause, one.lost->reason + (one.is_placed ? "; not ahead" : "; only straight away from there")});
       none.hint = one.hint;
       return none;
     }

@@ -12,7 +12,7 @@ namespace safety_control_cloud {
 namespace {
 
 constexpr std::size_t parts = 320;     ///< of the picture's width
-constexpr std::size_t most_left = 6;   ///< of them: half of what covers the floor at all (memory/floor_strip.cpp)
+constexpr double most_left = 6.0;      ///< of them: half of what covers the floor at all (memory/floor_strip.cpp)
 constexpr double nearest = 0.05;       ///< [m] ahead of a camera: nearer, directions mean nothing
 constexpr double beyond_range = 0.05;  ///< [m] at which a camera may still be blind
 constexpr double own_size = 0.01;      ///< [m] to each side: one of several places, of which not every one is kept
@@ -44,7 +44,7 @@ bool is_hiding(const KnownPlace& known, const FieldOfView& field, double blind_r
 }  // namespace
 
 bool hides(const std::vector<KnownPlace>& known, const std::vector<Span>& covered, const FieldOfView& field,
-           double blind_range) {
+           double blind_range, double left_over) {
   if (covered.empty()) return true;
   if (field.bottom <= field.top || field.right == field.left) return false;
   Parts hidden{};
@@ -56,7 +56,8 @@ bool hides(const std::vector<KnownPlace>& known, const std::vector<Span>& covere
     const double half = (own_size + one.off) / place.z / std::abs(field.right - field.left);
     mark(hidden, across - half, across + half, false);
   }
-  return static_cast<std::size_t>(std::count(hidden.begin(), hidden.end(), true)) < most_left;
+  const auto left = static_cast<double>(std::count(hidden.begin(), hidden.end(), true));
+  return left < most_left + left_over * parts;
 }
 
 void LostSpots::note(const std::vector<Point>& lost, const std::optional<Before>& before, double now) {

@@ -22,9 +22,10 @@ struct KnownPlace {
 };
 
 /// Whether what is known to stand nearer than the camera can see (`blind_range` [m] ahead of it) hides all of the near
-/// floor that is `covered`: then nothing else needs to stand there. Less than half a post's width may be left over.
+/// floor that is `covered`: then nothing else needs to stand there. Less than half a post's width may be left over, and
+/// `left_over` of the picture's width.
 bool hides(const std::vector<KnownPlace>& known, const std::vector<Span>& covered, const FieldOfView& field,
-           double blind_range);
+           double blind_range, double left_over = 0.0);
 
 /// Where in a frame that rests the things are that a camera has lost from sight.
 class LostSpots {

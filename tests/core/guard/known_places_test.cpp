@@ -72,6 +72,46 @@ TEST(LostSpots, WhatIsTooNearClosesOnlyTheWayThereIfItsPlaceIsKnown) {
   }
 }
 
+Scene wall_at(float ahead) { return Scene({{ahead, -9.0f, 9.0f, -9.0f, floor_y}}); }
+
+/// Its shape tells what lies beside it too.
+TEST(Blindness, BeforeAWallThatIsKnownClosesOnlyTheWayAhead) {
+  RobotWithOdometry robot, without;
+  without.has_odometry = false;
+  for (RobotWithOdometry* one : {&robot, &without}) drives_up(*one, wall_at);
+  EXPECT_GT(robot.wants(about).factor, 0.0) << robot.wants(about).reason;
+  EXPECT_GT(robot.wants(away).factor, 0.0) << robot.wants(away).reason;
+  const Guarded& answer = robot.wants({0.02, 0.0, 0.3});
+  EXPECT_EQ(answer.factor, 0.0);
+  EXPECT_EQ(answer.cause, Cause::Blind) << "somebody may have stepped between";
+  ASSERT_EQ(answer.doubts.size(), std::size_t{1});
+  EXPECT_NE(answer.doubts[0].find("BLIND"), std::string::npos) << answer.doubts[0];
+  EXPECT_EQ(without.wants(about).cause, Cause::Blind);
+  EXPECT_EQ(without.wants(about).factor, 0.0);
+}
+
+TEST(Blindness, OfWhichOnlyAPartIsKnownClosesAllButTheWayBack) {
+  RobotWithOdometry post, none;
+  drives_up(post, board_at);
+  none.passes(1.0, none.hall);
+  for (RobotWithOdometry* robot : {&post, &none}) {
+    robot->passes(0.3, wall_at(0.3f));
+    EXPECT_EQ(robot->wants(about).cause, Cause::Blind);
+    EXPECT_EQ(robot->wants(about).factor, 0.0);
+    EXPECT_EQ(robot->wants({-0.05, 0.0, 0.0}).factor, 1.0) << robot->wants({-0.05, 0.0, 0.0}).reason;
+  }
+}
+
+/// What is known lies before it no more, and it is dark still.
+TEST(Blindness, ThatGoesOnWhereTheWallIsNotIsOfAnotherCause) {
+  RobotWithOdometry robot;
+  drives_up(robot, wall_at);
+  ASSERT_GT(robot.wants(about).factor, 0.0);
+  robot.turns(quarter, wall_at(0.3f));
+  EXPECT_EQ(robot.wants(about).cause, Cause::Blind);
+  EXPECT_EQ(robot.wants(about).factor, 0.0);
+}
+
 TEST(LostSpots, WhatElseHidesTheFloorIsUnknown) {
   RobotWithOdometry robot;
   drives_up(robot, post_at);
