@@ -60,12 +60,14 @@ void LowObstacles::survey(const NearGround& ground) {
   }
 }
 
+/// A step that is kept goes on as one while its foot leaves the picture: what is left of it need be no step by itself.
 void LowObstacles::look_at_row(const Millimetres* codes) {
   Millimetres *lowest = lowest_.data(), *above = above_.data();
+  const Millimetres* const kept = floor_.data();
   for (std::size_t i = 0, width = lowest_.size(); i < width; ++i) {
-    const Millimetres ground = ground_now(codes[i]), floor = lowest[i] == none ? ground : lowest[i];
-    lowest[i] = floor;
-    above[i] = static_cast<Millimetres>(above[i] + is_on_step(ground, floor));
+    const Millimetres ground = ground_now(codes[i]);
+    lowest[i] = lowest[i] == none ? ground : lowest[i];
+    above[i] = static_cast<Millimetres>(above[i] + is_on_step(ground, std::max(lowest[i], kept[i])));
   }
 }
 

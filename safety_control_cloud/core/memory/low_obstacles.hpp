@@ -45,7 +45,7 @@ class LowObstacles {
   // Of each column, below the camera.
   std::vector<Millimetres> floor_;   ///< before the step; 0 if there is no step
   std::vector<Millimetres> lowest_;  ///< the near ground that the lowest pixel of it shows now
-  std::vector<std::int16_t> above_;  ///< pixels that show ground a step above `lowest_`
+  std::vector<std::int16_t> above_;  ///< pixels that show ground a step above that, or above `floor_`
   bool is_corridor_new_ = false;     ///< and no cloud has come since
 };
 

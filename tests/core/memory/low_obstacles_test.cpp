@@ -43,6 +43,20 @@ TEST(LowObstacles, RobotSlowsBeforeAStepOfThreeCentimetres) {
   EXPECT_EQ(robot.sees(with_plateau(0.64f, 0.03f)).speed, 0.0);
 }
 
+TEST(LowObstacles, NoneIsForgottenWhileItsFootLeavesThePicture) {
+  for (const float height : {0.026f, 0.03f, 0.035f, 0.04f}) {
+    Robot robot;
+    robot.sees(with_plateau(0.74f, height));
+    for (float z = 0.73f; z > 0.64f; z -= 0.01f) {
+      const Decision decision = robot.sees(with_plateau(z, height));
+      EXPECT_EQ(decision.cause, Cause::LowObstacle) << height << " at " << z;
+      EXPECT_LT(decision.speed, 0.2) << height << " at " << z;
+    }
+    EXPECT_EQ(robot.sees(with_plateau(0.64f, height)).speed, 0.0) << height;
+    EXPECT_EQ(robot.sees(Scene()).speed, 0.2) << "the floor before it is seen again";
+  }
+}
+
 TEST(LowObstacles, RobotSlowsBeforeAKerbAboveABorderThatNeverReturns) {
   Robot robot;
   Scene scene({kerb(0.74f, 0.05f)});
