@@ -6,76 +6,23 @@ from math import pi
 from pathlib import Path
 from xml.etree import ElementTree
 
-import numpy as np
 import pytest
+from two_simulators import assert_same_shapes, numbers, shapes_in_gazebo, shapes_in_mujoco
 
-from safety_control_cloud.simulation import robot
 from safety_control_cloud.simulation.base import Pose
 from safety_control_cloud.simulation.furniture import Place, Shape, Thing, furniture_of
-from safety_control_cloud.simulation.gl import mujoco
 from safety_control_cloud.simulation.sdf import to_model, to_world, write_world
 from safety_control_cloud.simulation.world import World
 from safety_control_cloud.simulation.world_files import world_file, world_names
 
 URDF = Path(__file__).parents[3] / "safety_control_cloud/urdf/turtlebot.urdf"
-KINDS = {mujoco.mjtGeom.mjGEOM_BOX: "box", mujoco.mjtGeom.mjGEOM_CYLINDER: "cylinder", mujoco.mjtGeom.mjGEOM_PLANE: "plane"}
-
-
-def numbers(text: str) -> tuple[float, ...]:
-    return tuple(map(float, text.split()))
-
-
-def turned(place, x, y):
-    """The point (x, y) of a place's frame, in the frame of the place; a place is (x, y, z, yaw)."""
-    c, s = np.cos(place[3]), np.sin(place[3])
-    return place[0] + c * x - s * y, place[1] + s * x + c * y
-
-
-def gazebos_shapes(sdf: str, tag: str) -> dict:
-    """name: (kind, full lengths in x, y, z, corner and centre in the world) of every collision or visual."""
-    shapes = {}
-    for model in ElementTree.fromstring(sdf).iter("model"):
-        outer = numbers(model.find("pose").text)
-        for part in model.iter(tag):
-            inner = numbers(part.find("pose").text)
-            assert outer[3:5] == inner[3:5] == (0, 0)
-            form = part.find("geometry")[0]
-            if form.tag == "cylinder":
-                radius = float(form.find("radius").text)
-                size = (2 * radius, 2 * radius, float(form.find("length").text))
-            else:
-                size = numbers(form.find("size").text)
-            place = (*turned((*outer[:3], outer[5]), *inner[:2]), outer[2] + inner[2], outer[5] + inner[5])
-            shapes[part.get("name")] = (form.tag, size, place)
-    return shapes
-
-
-def mujocos_shapes(name: str) -> dict:
-    world, shapes = World.load(name), {}
-    for geom in range(world.model.ngeom):
-        body = world.model.body(world.model.geom_bodyid[geom]).name
-        if body == robot.BODY or body.startswith("dropped_box"):
-            continue
-        kind = KINDS[mujoco.mjtGeom(world.model.geom_type[geom])]
-        size = 2 * world.model.geom_size[geom]
-        size = {"box": size, "plane": size[:2], "cylinder": (size[0], size[0], size[1])}[kind]
-        turn = world.data.geom_xmat[geom].reshape(3, 3)
-        assert turn[2, 2] == pytest.approx(1)
-        place = (*world.data.geom_xpos[geom], np.arctan2(turn[1, 0], turn[0, 0]))
-        shapes[world.model.geom(geom).name] = (kind, tuple(size), place)
-    return shapes
 
 
 @pytest.mark.parametrize("tag", ["collision", "visual"])
 @pytest.mark.parametrize("name", world_names())
 def test_gazebos_world_has_the_shapes_of_mujocos(name, tag):
-    ours = gazebos_shapes(to_world(furniture_of(world_file(name)), "file:///robot"), tag)
-    theirs = mujocos_shapes(name)
-    assert set(ours) == set(theirs)
-    for shape, (kind, size, place) in theirs.items():
-        assert ours[shape][0] == kind
-        assert ours[shape][1] == pytest.approx(size, abs=1e-6)
-        assert ours[shape][2] == pytest.approx(place, abs=1e-6)
+    gazebos = shapes_in_gazebo(to_world(furniture_of(world_file(name)), "file:///robot"), tag)
+    assert_same_shapes(gazebos, shapes_in_mujoco(World.load(name)))
 
 
 @pytest.mark.parametrize("name", world_names())
