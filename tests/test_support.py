@@ -8,7 +8,9 @@ import pytest
 TESTS = Path(__file__).resolve().parent
 SUPPORT = TESTS / "support"
 # Programs of their own, whose tests import their parts by .pytest.ini too; and one that is run by hand.
-PROGRAMS = {TESTS / "benchmarks", TESTS / "tutorial", TESTS / "python" / "judge" / "thousand.py"}
+PROGRAMS = {
+    TESTS / "benchmarks", TESTS / "tutorial", TESTS / "platforms" / "same_drives", TESTS / "python" / "judge" / "thousand.py",
+}
 
 
 def shared_outside(tests, support, programs):
@@ -37,7 +39,7 @@ def test_what_a_test_imports_of_the_tests_lies_in_support():
 
 
 def test_names_in_support_are_of_no_other_module():
-    folders = [SUPPORT, TESTS / "benchmarks", TESTS / "tutorial"]
+    folders = [SUPPORT, TESTS / "benchmarks", TESTS / "tutorial", TESTS / "platforms" / "same_drives"]
     names = [file.stem for folder in folders for file in folder.glob("*.py") if not file.stem.startswith(("test_", "__"))]
     assert len(names) == len(set(names))
 
