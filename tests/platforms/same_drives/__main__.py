@@ -11,7 +11,7 @@ from math import isfinite
 from pathlib import Path
 from statistics import median
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Iterator, Sequence
+from typing import TYPE_CHECKING, Iterable, Iterator, Sequence
 
 if TYPE_CHECKING:
     from driven import Pair
@@ -76,15 +76,21 @@ def drive_all(scenarios: Sequence[Scenario], arguments: argparse.Namespace) -> t
     """First all in Gazebo, then in MuJoCo with the latency that was found there [s]. Raises ProcessError."""
     import driven_in_mujoco
     from driven import Pair
-    from rich.progress import track
 
     from safety_control_cloud.ros_session import roscore
 
     with roscore(), gazebo() as drive:
-        gazebos = [drive(one) for one in track(scenarios, "in Gazebo", transient=True)]
+        gazebos = [drive(one) for one in _with_progress(scenarios, "in Gazebo")]
     latency = median([one.latency for one in gazebos if isfinite(one.latency)] or [0.0])
-    mujocos = [driven_in_mujoco.drive(one, latency) for one in track(scenarios, "in MuJoCo", transient=True)]
+    mujocos = [driven_in_mujoco.drive(one, latency) for one in _with_progress(scenarios, "in MuJoCo")]
     return [Pair(*pair) for pair in zip(scenarios, mujocos, gazebos)], latency
+
+
+def _with_progress(scenarios: Sequence[Scenario], where: str) -> Iterable[Scenario]:
+    from rich.console import Console
+    from rich.progress import track
+
+    return track(scenarios, where, console=Console(stderr=True), transient=True)
 
 
 @contextmanager

@@ -54,7 +54,7 @@ class Gazebo:
             self._track.clear()
             self._states.clear()
         self._held.clear()
-        self._until(lambda: self._is_over(scenario.seconds))
+        self._until("the drive did not end", lambda: self._is_over(scenario.seconds))
         return self._driven(first)
 
     def _prepare(self, scenario: Scenario) -> np.ndarray:
@@ -85,12 +85,12 @@ class Gazebo:
         clearance = min(distance for moment in track for _, distance in distances((scene,), moment.pose))
         return Driven(track, clearance, states[-1].cause_text, _decided_at(states), first, self._picture())
 
-    def _until(self, true: Callable[[], bool]) -> None:
+    def _until(self, otherwise: str, true: Callable[[], object]) -> None:
         give_up = time.monotonic() + SLOW
         while not true():
             if time.monotonic() > give_up or rospy.is_shutdown():
-                raise rospy.ROSException(f"the drive did not end within {SLOW:.0f} s")
-            time.sleep(0.05)
+                raise rospy.ROSException(f"{otherwise} within {SLOW:.0f} s")
+            time.sleep(0.02)
 
     def _hold(self) -> None:
         """Somebody of higher priority than the node lets the robot stand."""
@@ -99,6 +99,9 @@ class Gazebo:
             time.sleep(HELD_EVERY)
 
     def _picture(self) -> np.ndarray:
+        """One that is taken from now on."""
+        now = rospy.Time.now()
+        self._until("no picture came", lambda: self._depth.header.stamp >= now and self._depth.height)
         depth = self._depth
         return np.frombuffer(depth.data, np.float32).reshape(depth.height, depth.width)
 

@@ -11,6 +11,7 @@ from typing import Sequence
 
 from driven import Driven, Pair
 from rich.table import Table
+from rich.text import Text
 
 ENOUGH = 0.95  # share of the drives that have to end near each other
 
@@ -20,9 +21,9 @@ def is_well(pairs: Sequence[Pair]) -> bool:
 
 
 def table_of(pairs: Sequence[Pair]) -> Table:
-    table = Table(title="Where the robot stands [m]: x, y, its cause and clearance")
-    for heading in ("drive", "MuJoCo", "", "", "Gazebo", "", "", "apart [cm]"):
-        table.add_column(heading, no_wrap=True)
+    table = Table(title="Where the robot stands")
+    for heading in ("drive", "MuJoCo: x, y [m]", "cause", "clear [m]", "Gazebo: x, y [m]", "cause", "clear [m]", "apart [cm]"):
+        table.add_column(Text(heading), no_wrap=True)
     for pair in pairs:
         style = None if pair.is_near and not pair.touches else "bold red"
         table.add_row(pair.scenario.name, *_cells(pair.mujoco), *_cells(pair.gazebo), f"{100 * pair.apart:.1f}", style=style)
