@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The stand-ins of gazebo_ros' plugins refuse a parameter that the real ones do not read: a test with them tests the model."""
 import subprocess
+import sys
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -8,10 +9,21 @@ import pytest
 
 rospkg = pytest.importorskip("rospkg", reason="no stand-ins of gazebo_ros: no ROS")
 
+from safety_control_cloud.processes import process  # noqa: E402
 from safety_control_cloud.ros_session import executable_of, roscore  # noqa: E402
 
 URDF = Path(__file__).parents[3] / "safety_control_cloud/urdf/turtlebot.urdf"
 SECONDS = 60  # that Gazebo may take to come up
+# In a process of its own, for rospy keeps to its first master.
+SPAWN_AND_DELETE = """
+import rospy
+from safety_control_cloud.nodes.gazebo_models import delete, spawn
+from safety_control_cloud.simulation.furniture import Place, Shape, Thing
+rospy.init_node("spawner", disable_rostime=True)
+for number in range(150):
+    spawn(Thing(f"box_{number}", Place(2.0, 0.0, 0.15), (Shape("box", "box", (0.15, 0.15, 0.15), Place()),)))
+    delete(f"box_{number}")
+"""
 
 
 def standins_are_here():
@@ -44,3 +56,11 @@ def test_a_parameter_that_no_real_plugin_reads_ends_the_server(plugin, tmp_path,
     ended = gazebo_with(str(tmp_path / "robot.urdf"), monkeypatch)
     assert f"{plugin} does not know <wheelSeperation>" in ended.stderr
     assert ended.returncode == 1
+
+
+def test_models_come_and_go_while_the_robot_rests_on_its_wheels(monkeypatch):
+    monkeypatch.setenv("GAZEBO_MASTER_URI", "http://127.0.0.1:11399")
+    with roscore():
+        with process([executable_of("safety_control_cloud", "gazebo_world"), "--rate", "0", "--size", "64x48", "--urdf", str(URDF)]) as gazebo:
+            spawner = subprocess.run(["timeout", str(10 * SECONDS), sys.executable, "-c", SPAWN_AND_DELETE], stderr=subprocess.PIPE, text=True)
+            assert spawner.returncode == 0, f"{spawner.stderr}\n{gazebo.output()}"

@@ -6,7 +6,9 @@
 #include <thread>
 
 #include <gazebo/common/common.hh>
+#include <gazebo/msgs/msgs.hh>
 #include <gazebo/physics/physics.hh>
+#include <gazebo/transport/transport.hh>
 #include <gazebo_msgs/DeleteModel.h>
 #include <gazebo_msgs/ModelStates.h>
 #include <gazebo_msgs/SetModelState.h>
@@ -34,6 +36,9 @@ class Api : public gazebo::SystemPlugin {
  private:
   void begin(const std::string& world) {
     world_ = gazebo::physics::get_world(world);
+    gazebo_ = boost::make_shared<gazebo::transport::Node>();
+    gazebo_->Init(world);
+    requests_ = gazebo_->Advertise<gazebo::msgs::Request>("~/request");
     node_ = std::make_unique<ros::NodeHandle>("~");
     ros::param::set("/use_sim_time", true);
     clock_ = node_->advertise<rosgraph_msgs::Clock>("/clock", 10);
@@ -86,15 +91,18 @@ class Api : public gazebo::SystemPlugin {
       answer.status_message = "there is no such model";
       return true;
     }
-    world_->RemoveModel(wanted.model_name);
+    // By the world's own thread: RemoveModel() in this one walks through a list to which the physics adds meanwhile.
+    const auto& name = wanted.model_name;
+    const std::unique_ptr<gazebo::msgs::Request> request(gazebo::msgs::CreateRequest("entity_delete", name));
+    requests_->Publish(*request);
     answer.success = becomes(wanted.model_name, false);
     return true;
   }
 
   /// Waits until the model is there, or is not.
   bool becomes(const std::string& model, bool there) const {
-    for (int tenths = 0; tenths < 100 && (world_->ModelByName(model) != nullptr) != there; ++tenths) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    for (int turn = 0; turn < 1000 && (world_->ModelByName(model) != nullptr) != there; ++turn) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     return (world_->ModelByName(model) != nullptr) == there;
   }
@@ -115,6 +123,8 @@ class Api : public gazebo::SystemPlugin {
 
   gazebo::event::ConnectionPtr created_, update_;
   gazebo::physics::WorldPtr world_;
+  gazebo::transport::NodePtr gazebo_;
+  gazebo::transport::PublisherPtr requests_;
   gazebo::common::Time said_{-1.0};
   std::unique_ptr<ros::NodeHandle> node_;
   std::unique_ptr<ros::AsyncSpinner> spinner_;
