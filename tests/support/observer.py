@@ -56,13 +56,18 @@ class Observer:
 
     @property
     def zones(self) -> list[str]:
-        return [zone for zone, _ in groupby(state.zone_text for state in self.states)]
+        """Of what it saw: where the computer draws less than two pictures a second, it is SILENT between them."""
+        return [zone for zone, _ in groupby(state.zone_text for state in self.states if state.cause_text != "SILENT")]
 
     def until(self, what: str, true: Callable[[], bool], seconds: float = 60.0) -> None:
-        """Raises AssertionError if `what` is still not so after so many real seconds."""
-        end = time.monotonic() + seconds
+        """Raises AssertionError if `what` is still not so after so many simulated seconds, or real ones without a simulated one."""
+        begun = at = rospy.get_time()
+        moved = time.monotonic()
         while not true():
-            assert time.monotonic() < end, f"waited {seconds} s in vain: {what}"
+            if rospy.get_time() != at:
+                at, moved = rospy.get_time(), time.monotonic()
+                begun = begun or at  # 0: nobody had told the time yet
+            assert at < begun + seconds and time.monotonic() < moved + seconds, f"waited {seconds} s in vain: {what}"
             time.sleep(0.01)
 
     def until_it_drives(self) -> None:
