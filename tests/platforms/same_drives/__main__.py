@@ -33,7 +33,7 @@ def main() -> int:
     from safety_control_cloud.processes import ProcessError, end_on_sigterm
 
     end_on_sigterm()
-    console = Console(width=None if sys.stdout.isatty() else 130, highlight=False)
+    console = Console(width=None if sys.stdout.isatty() else 150, highlight=False)
     try:
         gazebo_ros_executable("gzserver")
         pairs, latency = drive_all(scenarios_of(arguments), arguments)
