@@ -24,7 +24,7 @@ def sh(code, *arguments):
 @pytest.mark.parametrize("arguments", [["--out"], ["--in", "/tmp"], ["now"]], ids=" ".join)
 def test_an_option_that_is_not_known_is_refused(arguments):
     result = subprocess.run([SCRIPT, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=60)
-    assert result.returncode == 2 and result.stderr.startswith("Usage: ")
+    assert result.returncode == 2 and result.stderr.startswith("Usage: scripts/package ")
 
 
 @pytest.mark.parametrize("name", sorted(RUN_TIME - LIBRARIES_ALONE))
