@@ -27,6 +27,12 @@ def test_an_option_that_is_not_known_is_refused(arguments):
     assert result.returncode == 2 and result.stderr.startswith("Usage: scripts/package ")
 
 
+@pytest.mark.parametrize("out", ["/proc/nowhere", "/dev/null"])
+def test_a_folder_that_cannot_be_written_is_refused_before_the_build(out):
+    result = subprocess.run([SCRIPT, "--no-packages", "--out", out], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=60)
+    assert (result.returncode, result.stderr.splitlines()[-1]) == (2, f"package: cannot write {out}")
+
+
 @pytest.mark.parametrize("name", sorted(RUN_TIME - LIBRARIES_ALONE))
 def test_it_is_known_what_debian_calls_a_package_that_is_wanted_at_run_time(name):
     assert name.startswith("python3-") or sh(f'cd "$1"; . scripts/setup; [[ -v run_time_on_debian[{name}] ]]').returncode == 0
