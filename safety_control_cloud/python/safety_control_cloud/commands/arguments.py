@@ -2,6 +2,8 @@
 """Arguments that several command lines read in the same way."""
 from __future__ import annotations
 
+import argparse
+
 
 def picture_size(text: str) -> tuple[int, int]:
     """[px] of `640x480`."""
@@ -12,3 +14,10 @@ def picture_size(text: str) -> tuple[int, int]:
 def yes(text: str) -> bool:
     """roslaunch hands over `true` or `false`."""
     return text.strip().lower() in ("1", "true", "yes")
+
+
+def count(text: str) -> int:
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"{text} is not above 0")
+    return number
