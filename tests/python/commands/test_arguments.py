@@ -2,7 +2,7 @@
 """What cannot be is refused while arguments are read, before a master is asked."""
 import pytest
 
-from safety_control_cloud.commands import turtlebot_sim
+from safety_control_cloud.commands import gazebo_world, turtlebot_sim, view_node
 
 
 @pytest.mark.parametrize("option, text, reason", [
@@ -15,6 +15,14 @@ def test_what_cannot_be_simulated_is_refused(option, text, reason, capsys):
         turtlebot_sim.parser().parse_args([option, text])
     assert ended.value.code == 2
     assert f"argument {option}: {reason}" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", [gazebo_world, view_node])
+def test_a_rate_below_zero_is_refused(command, capsys):
+    with pytest.raises(SystemExit) as ended:
+        command.main(["command", "--rate", "-1", "--rrd", "a.txt"])  # neither knows such a file: none of them starts
+    assert ended.value.code == 2
+    assert "argument --rate: -1 is not " in capsys.readouterr().err
 
 
 def test_as_fast_as_it_goes_can_be_simulated_in_a_world_of_the_users(tmp_path, monkeypatch):
