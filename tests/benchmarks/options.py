@@ -5,6 +5,7 @@ from typing import Optional, Sequence
 
 from peer_checkout import checkout_of
 
+from safety_control_cloud.commands.arguments import count
 from safety_control_cloud.view.options import writable
 
 PARTS = ("kernel", "nodes", "depth", "cameras", "guard", "judge", "workers")
@@ -27,8 +28,8 @@ def arguments(words: Optional[Sequence[str]] = None) -> argparse.Namespace:
     parser.add_argument("--plot", type=writable, metavar="FILE", help="draw time over points there")
     parser.add_argument("--quick", action="store_true", help="VGA only, less often, no callgrind: < 2 minutes")
     parser.add_argument("--only", choices=PARTS, action="append", help="this part; may be repeated")
-    parser.add_argument("--repetitions", type=int, metavar="N", help="of every case; medians are shown (3, quick: 2)")
-    parser.add_argument("--clouds", type=int, metavar="N", help="through processes, a repetition (50, quick: 20)")
+    parser.add_argument("--repetitions", type=count, metavar="N", help="of every case; medians are shown (3, quick: 2)")
+    parser.add_argument("--clouds", type=count, metavar="N", help="through processes, a repetition (50, quick: 20)")
     parser.add_argument("--peer", type=checkout_of, metavar="PATH",
                         help="beside the guard, safety_limiter from your checkout of at-wat/neonavigation there and of neonavigation_msgs, "
                              "as in a workspace's src; needs --only guard")

@@ -24,7 +24,13 @@ def sh(code, *arguments):
 @pytest.mark.parametrize("arguments", [["--out"], ["--in", "/tmp"], ["now"]], ids=" ".join)
 def test_an_option_that_is_not_known_is_refused(arguments):
     result = subprocess.run([SCRIPT, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=60)
-    assert result.returncode == 2 and result.stderr.startswith("Usage: ")
+    assert result.returncode == 2 and result.stderr.startswith("Usage: scripts/package ")
+
+
+@pytest.mark.parametrize("out", ["/proc/nowhere", "/dev/null"])
+def test_a_folder_that_cannot_be_written_is_refused_before_the_build(out):
+    result = subprocess.run([SCRIPT, "--no-packages", "--out", out], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=60)
+    assert (result.returncode, result.stderr.splitlines()[-1]) == (2, f"package: cannot write {out}")
 
 
 @pytest.mark.parametrize("name", sorted(RUN_TIME - LIBRARIES_ALONE))

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every script answers --help at once, on a machine with Python alone, in a clone in which nothing has been set up."""
+"""Every script answers --help at once, on a machine with Python alone, in a clone in which nothing has been set up; a word that
+it does not know is named."""
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -40,8 +42,23 @@ def test_help_is_given_at_once_and_sets_up_nothing(script, arguments, fresh, alo
     result = subprocess.run(
         [fresh / "scripts" / script, *arguments], cwd=tmp_path, env=alone, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
         timeout=SECONDS)
-    assert result.returncode == 0 and result.stdout.lower().startswith("usage: "), result.stdout
+    assert result.returncode == 0 and re.match(rf"usage: (scripts/)?{script} ", result.stdout, re.IGNORECASE), result.stdout
     assert files_in(tmp_path) == before
+
+
+@pytest.mark.parametrize("said, words", [
+    ("setup: there is no option '--nope'", ["setup", "--nope"]),
+    ("setup: --with is not followed by a group: 'nonsense'", ["setup", "--with", "nonsense"]),
+    ("package: there is no option '--nope'", ["package", "--nope"]),
+    ("package: --out is not followed by a folder", ["package", "--out"]),
+    ("platforms: there is no platform 'debian99'", ["test", "--platform", "debian99"]),
+])
+def test_a_word_that_is_not_known_is_named_below_the_usage(said, words, fresh, alone, tmp_path):
+    result = subprocess.run(
+        [fresh / "scripts" / words[0], *words[1:]], cwd=tmp_path, env=alone, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        timeout=SECONDS)
+    usage, _, last = result.stderr.rstrip().rpartition("\n")
+    assert (result.returncode, result.stdout, last) == (2, "", said) and usage.startswith("Usage: ")
 
 
 def test_a_machine_with_python_alone_has_no_numpy(alone):

@@ -26,6 +26,15 @@ def test_the_way_in_the_playground_is_drawn(tmp_path):
     assert (tmp_path / "a.png").stat().st_size > 30_000
 
 
+@pytest.mark.parametrize("option", ["--patience", "--seconds"])
+@pytest.mark.parametrize("text", ["-1", "0", "nan", "inf"])
+def test_a_time_that_nobody_can_wait_is_refused(option, text, capsys, tmp_path):
+    with pytest.raises(SystemExit) as ended:
+        main(["guard", "--simulator", "gazebo", "--out", str(tmp_path), option, text])
+    assert ended.value.code == 2
+    assert f"argument {option}: {text} is not " in capsys.readouterr().err
+
+
 def test_the_guard_is_shown_in_mujoco_alone(capsys, tmp_path):
     with pytest.raises(SystemExit) as ended:
         main(["guard", "--simulator", "gazebo", "--out", str(tmp_path)])

@@ -124,7 +124,8 @@ def test_a_parameter_that_the_node_refuses_ends_the_replay_with_the_nodes_own_wo
 
 
 @pytest.mark.parametrize("arguments", [
-    ["missing.bag"], ["cut.bag"], ["drive.bag", "--topic", "/nowhere"], ["missing.bag", "drive.bag"]])
+    ["missing.bag"], ["cut.bag"], ["drive.bag", "--topic", "/nowhere"], ["missing.bag", "drive.bag"],
+    ["drive.bag", "--around", "3"], ["drive.bag", "--around", "-1"]])
 def test_what_cannot_be_replayed_gives_one_line_and_exit_code_2(tmp_path, arguments):
     whole = write_ros1(tmp_path / "drive.bag", {TOPIC: DRIVE})
     (tmp_path / "cut.bag").write_bytes(whole.read_bytes()[:-100])

@@ -54,6 +54,13 @@ def test_demo_and_bench_too_refuse_it_at_once(command):
     assert result.returncode == 2 and "cannot write" in result.stderr.splitlines()[-1]
 
 
+@pytest.mark.parametrize("option", ["--repetitions", "--clouds"])
+def test_nothing_is_measured_less_than_once(option):
+    bench = Path(__file__).resolve().parents[2] / "benchmarks"
+    result = subprocess.run([sys.executable, bench, option, "0"], capture_output=True, text=True, timeout=60)
+    assert result.returncode == 2 and result.stderr.splitlines()[-1].endswith(f"argument {option}: 0 is not above 0")
+
+
 def test_who_interrupts_it_is_told_of_the_drives_that_were_done(monkeypatch, capsys, tmp_path):
     from safety_control_cloud.trials import run as running
 

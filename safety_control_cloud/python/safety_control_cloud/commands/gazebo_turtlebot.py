@@ -21,21 +21,26 @@ def main(argv: list[str]) -> int:
     arguments = parser.parse_args(without_remappings(argv[1:]))
     import rospy  # after the arguments: --help needs Python alone
 
+    from ..gazebo_ros import MISSING
     from ..simulation.furniture import furniture_of
 
     try:
+        furniture = furniture_of(world_file(arguments.world))
         from ..nodes.gazebo_turtlebot import GazeboTurtlebot
+    except (FileNotFoundError, ValueError, ParseError) as error:
+        return _complain(error)
     except ModuleNotFoundError as missing:
         if not str(missing.name).startswith("gazebo_msgs"):
             raise
-        return 2  # gazebo_world, which roslaunch starts beside this, says what to install
-    try:
-        furniture = furniture_of(world_file(arguments.world))
-    except (FileNotFoundError, ValueError, ParseError):
-        return 2  # which gazebo_world says too
+        return _complain(MISSING)
     rospy.init_node("turtlebot_sim")
     GazeboTurtlebot(furniture, LIMITS[arguments.wheels]).run()
     return 0
+
+
+def _complain(why: object) -> int:
+    print(f"gazebo_turtlebot: {why}", file=sys.stderr)
+    return 2
 
 
 if __name__ == "__main__":

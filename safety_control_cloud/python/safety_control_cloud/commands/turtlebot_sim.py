@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from ..simulation.base import LIMITS
 from ..simulation.world_files import world_names
-from .arguments import picture_size, yes
+from .arguments import not_negative, picture_size, positive, world, yes
 from .remappings import without_remappings
 
 if TYPE_CHECKING:
@@ -20,13 +20,13 @@ def parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="turtlebot_sim", description=__doc__.split(": ", 1)[1],
         formatter_class=argparse.ArgumentDefaultsHelpFormatter)
-    parser.add_argument("--world", default="cabinet", help=f"{', '.join(world_names())}, or an MJCF file")
+    parser.add_argument("--world", type=world, default="cabinet", help=f"{', '.join(world_names())}, or an MJCF file")
     parser.add_argument("--size", default="640x480", type=picture_size, help="of the camera's pictures [px]")
-    parser.add_argument("--camera-rate", default=20.0, type=float, help="pictures a simulated second; their distance is rounded to 10 ms")
+    parser.add_argument("--camera-rate", default=20.0, type=positive, help="pictures a simulated second; their distance is rounded to 10 ms")
     parser.add_argument("--depth-encoding", default="32FC1", choices=("32FC1", "16UC1"), help="of the depth image")
     parser.add_argument("--wheels", default="driver", choices=sorted(LIMITS),
                         help="with the driver's acceleration limits, or obeying at once as in Gazebo")
-    parser.add_argument("--rate", default=1.0, type=float, help="simulated seconds a real one; 0: as fast as it goes")
+    parser.add_argument("--rate", default=1.0, type=not_negative, help="simulated seconds a real one; 0: as fast as it goes")
     parser.add_argument("--seed", default=0, type=int, help="of the depth's noise and the body's rocking")
     parser.add_argument("--no-noise", action="store_true", help="true depth and no rocking")
     parser.add_argument("--viewer", nargs="?", const=True, default=False, type=yes, help="open MuJoCo's own window")

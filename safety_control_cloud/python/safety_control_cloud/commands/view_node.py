@@ -8,6 +8,7 @@ import sys
 
 from ..optional import MissingPackages, require
 from ..view.options import recording_file
+from .arguments import positive
 from .remappings import without_remappings
 
 UNUSABLE = 2  # exit code
@@ -16,7 +17,7 @@ UNUSABLE = 2  # exit code
 def main(argv: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="view_node", description=__doc__.split(": ", 1)[1])
     parser.add_argument("--node", default="/safety_control_cloud", help="the safety node's name [%(default)s]")
-    parser.add_argument("--rate", type=float, default=5.0, help="[Hz] at most [%(default)s]")
+    parser.add_argument("--rate", type=positive, default=5.0, help="[Hz] at most [%(default)s]")
     parser.add_argument("--host", default=socket.gethostname(), help="this machine's name, as the browser knows it [%(default)s]")
     parser.add_argument("--port", type=int, default=9090, help="of the page [%(default)s]")
     parser.add_argument("--data-port", type=int, default=9876, help="of what it shows [%(default)s]")

@@ -8,9 +8,10 @@ import argparse
 import sys
 from pathlib import Path
 
+from ..commands.arguments import positive, world
 from ..optional import MissingPackages
 from ..processes import ProcessError, end_on_sigterm
-from ..simulation.world_files import world_file, world_names
+from ..simulation.world_files import world_names
 from ..view.options import add_to, make, recorded_in
 
 
@@ -20,14 +21,14 @@ def main(argv: list[str]) -> int:
         epilog="Ends with 0 only if the robot stood in Danger, having touched nothing, both times; as guard, if it touched "
         "nothing.")
     parser.add_argument("what", nargs="?", default="approach", choices=("approach", "guard"), help="(%(default)s)")
-    parser.add_argument("--world", type=_world,
+    parser.add_argument("--world", type=world,
                         help=f"{', '.join(world_names())}, or an MJCF file (cabinet; as guard, playground)")
-    parser.add_argument("--seconds", type=float, default=120.0, help="as guard: so long [s] somebody drives (%(default)s)")
+    parser.add_argument("--seconds", type=positive, default=120.0, help="as guard: so long [s] somebody drives (%(default)s)")
     parser.add_argument("--seed", type=int, default=1, help="as guard: of what he tries (%(default)s)")
     parser.add_argument("--simulator", default="mujoco", choices=("mujoco", "gazebo"), help="(%(default)s)")
     parser.add_argument("--rviz", action="store_true", help="open rviz beside it")
     parser.add_argument("--out", type=Path, default=Path("safety_demo"), help="folder for the picture and the bag")
-    parser.add_argument("--patience", type=float, default=60.0, help="[s] a drive may take (%(default)s)")
+    parser.add_argument("--patience", type=positive, default=60.0, help="[s] a drive may take (%(default)s)")
     add_to(parser)
     arguments = parser.parse_args(argv)
     guards = arguments.what == "guard"
@@ -63,14 +64,6 @@ def main(argv: list[str]) -> int:
         return 2
     except KeyboardInterrupt:
         return 130
-
-
-def _world(name: str) -> str:
-    """A user's file by its full path: roslaunch runs its nodes elsewhere."""
-    try:
-        return name if name in world_names() else str(world_file(name).resolve())
-    except FileNotFoundError as error:
-        raise argparse.ArgumentTypeError(str(error)) from error
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@ from os import cpu_count
 from pathlib import Path
 from typing import Optional, Sequence, Tuple
 
+from safety_control_cloud.commands.arguments import count
 from safety_control_cloud.replay.options import MODES
 
 PURPOSE = "Judges recorded drives by the node's own decision: each cloud or command of each bag, in the bag's own time."
@@ -37,7 +38,7 @@ def options(arguments: Optional[Sequence[str]] = None) -> argparse.Namespace:
                         help="one of them; goes before the file")
     parser.add_argument("--compare", metavar=("A.yaml", "B.yaml"), nargs=2, type=Path,
                         help="judge by both, and show what changes from A to B")
-    parser.add_argument("--jobs", metavar="J", type=_positive, default=cpu_count() or 1, help="processes [%(default)s]")
+    parser.add_argument("--jobs", metavar="J", type=count, default=cpu_count() or 1, help="processes [%(default)s]")
     parser.add_argument("--scheduler", metavar="ADDRESS", help="judge on the workers of this Dask scheduler")
     parser.add_argument("--report", metavar="DIR", type=Path, help="write a page to read")
     given = parser.parse_args(arguments)
@@ -51,10 +52,3 @@ def _parameter(text: str) -> Tuple[str, str]:
     if not (name and equals and value):
         raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE")
     return name.lstrip("~_"), value
-
-
-def _positive(text: str) -> int:
-    number = int(text)
-    if number < 1:
-        raise argparse.ArgumentTypeError(f"{text} is not above 0")
-    return number

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Dict, List, Mapping, Optional
 
 from safety_control_cloud import core
+from safety_control_cloud.replay.bags import BagError
 from safety_control_cloud.replay.lockstep import Answer
 from safety_control_cloud.replay.nodes import safety_nodes
 from safety_control_cloud.replay.options import GUARD, Request
@@ -44,6 +45,9 @@ def _replay(request: Request, parameters: Mapping[str, str], rrd: Optional[Path]
     wanted = parameters.get("input", INPUTS[0])
     wanted = wanted if wanted in INPUTS else INPUTS[0]  # the node itself refuses others
     with recording(request.bags, request.topics, wanted, moving) as recorded:
+        clouds = max(source.topic.count for source in recorded.sources)
+        if request.around is not None and not 0 <= request.around < clouds:
+            raise BagError(f"there is no cloud {request.around}: they are numbered from 0 to {clouds - 1}")
         answers = answers_to(recorded, parameters, rrd)
         title = f"{', '.join(bag.name for bag in request.bags)}  {', '.join(recorded.topics)}"
         end = recorded.end

@@ -33,12 +33,16 @@ class Table:
     publisher: str  # the output's topic
 
 
-def table_from(document: Mapping) -> Table:
+def table_from(document: object) -> Table:
     """A table in yocs_cmd_vel_mux's YAML format: `subscribers`, a list of inputs, and `publisher`.
 
     Raises ValueError with every problem found.
     """
+    if not isinstance(document, Mapping):
+        raise ValueError("must be a mapping with subscribers and publisher")
     entries = document.get("subscribers") or []
+    if not isinstance(entries, list):
+        raise ValueError("subscribers must be a list of inputs")
     problems = [] if entries else ["no subscribers"]
     inputs: list[Input] = []
     for place, entry in enumerate(entries):
@@ -56,7 +60,7 @@ def table_from(document: Mapping) -> Table:
             problems.append(f"subscriber {place}: {error!r}")
     problems += _problems_of(inputs)
     if problems:
-        raise ValueError("cmd_vel_mux table: " + "; ".join(problems))
+        raise ValueError("; ".join(problems))
     return Table(tuple(inputs), str(document.get("publisher", "output/cmd_vel")))
 
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from os import cpu_count
 from pathlib import Path
 
+from ..commands.arguments import count
 from ..view import options as view
 from .names import DRIVERS, FAMILIES, METHODS
 
@@ -20,11 +21,11 @@ def options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
         "as a guard: into something in view, or it held up a polite driver for good.")
     parser.add_argument("--driver", choices=(*DRIVERS,), help="somebody else drives, and the methods guard: one who tries to "
                         "hit things, or one who follows a path")
-    parser.add_argument("--episodes", metavar="N", type=_positive, default=1000,
+    parser.add_argument("--episodes", metavar="N", type=count, default=1000,
                         help="shared out among the families [%(default)s]")
     parser.add_argument("--seed", metavar="S", type=int, default=1,
                         help="of the first episode of each family [%(default)s]")
-    parser.add_argument("--jobs", metavar="J", type=_positive, default=cpu_count() or 1, help="processes [%(default)s]")
+    parser.add_argument("--jobs", metavar="J", type=count, default=cpu_count() or 1, help="processes [%(default)s]")
     parser.add_argument("--method", choices=(*METHODS, "both"), default="both", help="[%(default)s]")
     parser.add_argument("--family", choices=ALL, action="append", default=[], metavar="F",
                         help=f"only this one; may be repeated: {', '.join(FAMILIES)}; "
@@ -52,13 +53,6 @@ def options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
             parser.error(f"{family} does not go with {'--driver ' + given.driver if given.driver else 'no --driver'}: "
                          f"the families are {', '.join(families)}")
     return given
-
-
-def _positive(text: str) -> int:
-    number = int(text)
-    if number < 1:
-        raise argparse.ArgumentTypeError(f"{text} is not above 0")
-    return number
 
 
 def _share(text: str) -> float:

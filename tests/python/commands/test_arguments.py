@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What cannot be is refused while arguments are read, before a master is asked."""
+import pytest
+
+from safety_control_cloud.commands import gazebo_world, turtlebot_sim, view_node
+
+
+@pytest.mark.parametrize("option, text, reason", [
+    ("--world", "nonsense", "no world 'nonsense'"),
+    *(("--camera-rate", text, f"{text} is not a number above 0") for text in ("-3", "0", "nan", "inf")),
+    *(("--rate", text, f"{text} is not 0 or a number above") for text in ("-1", "nan", "inf")),
+])
+def test_what_cannot_be_simulated_is_refused(option, text, reason, capsys):
+    with pytest.raises(SystemExit) as ended:
+        turtlebot_sim.parser().parse_args([option, text])
+    assert ended.value.code == 2
+    assert f"argument {option}: {reason}" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", [gazebo_world, view_node])
+def test_a_rate_below_zero_is_refused(command, capsys):
+    with pytest.raises(SystemExit) as ended:
+        command.main(["command", "--rate", "-1", "--rrd", "a.txt"])  # neither knows such a file: none of them starts
+    assert ended.value.code == 2
+    assert "argument --rate: -1 is not " in capsys.readouterr().err
+
+
+def test_as_fast_as_it_goes_can_be_simulated_in_a_world_of_the_users(tmp_path, monkeypatch):
+    (tmp_path / "mine.xml").touch()
+    monkeypatch.chdir(tmp_path)
+    given = turtlebot_sim.parser().parse_args(["--rate", "0", "--world", "mine.xml"])
+    assert (given.rate, given.world) == (0.0, str(tmp_path / "mine.xml"))
