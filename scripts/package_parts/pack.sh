@@ -47,7 +47,7 @@ script() {
   chmod 755 "$build/control/$1"
 }
 
-# Such as 0.1.0-1~debian12: the next release's is newer, and an upgrade takes it.
+# Such as 1.0.0-1~debian12: the next release's is newer, and an upgrade takes it.
 version() { echo "$(in_package_xml version)-1~$(release | tr -d ' ')"; }
 
 in_package_xml() {
