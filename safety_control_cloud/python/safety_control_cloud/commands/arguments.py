@@ -33,6 +33,14 @@ def positive(text: str) -> float:
     return number
 
 
+def camera_rate(text: str) -> float:
+    """No more than one picture a tick of the simulators."""
+    rate = positive(text)
+    if rate > 100.0:
+        raise argparse.ArgumentTypeError(f"{text} is more than 100")
+    return rate
+
+
 def not_negative(text: str) -> float:
     number = float(text)
     if not 0.0 <= number < inf:

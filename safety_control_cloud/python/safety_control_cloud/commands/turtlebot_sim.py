@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from ..simulation.base import LIMITS
 from ..simulation.world_files import world_names
-from .arguments import not_negative, picture_size, positive, world, yes
+from .arguments import camera_rate, not_negative, picture_size, world, yes
 from .remappings import without_remappings
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ def parser() -> argparse.ArgumentParser:
         formatter_class=argparse.ArgumentDefaultsHelpFormatter)
     parser.add_argument("--world", type=world, default="cabinet", help=f"{', '.join(world_names())}, or an MJCF file")
     parser.add_argument("--size", default="640x480", type=picture_size, help="of the camera's pictures [px]")
-    parser.add_argument("--camera-rate", default=20.0, type=positive, help="pictures a simulated second; their distance is rounded to 10 ms")
+    parser.add_argument("--camera-rate", default=20.0, type=camera_rate, help="pictures a simulated second; their distance is rounded to 10 ms")
     parser.add_argument("--depth-encoding", default="32FC1", choices=("32FC1", "16UC1"), help="of the depth image")
     parser.add_argument("--wheels", default="driver", choices=sorted(LIMITS),
                         help="with the driver's acceleration limits, or obeying at once as in Gazebo")
