@@ -6,10 +6,14 @@ import observer
 import pytest
 
 
-def test_what_is_said_between_pictures_that_come_too_slowly_is_no_zone_that_was_seen():
+@pytest.mark.parametrize("draws_slowly, zones", [
+    (True, ["Safe", "Warning", "Danger"]),
+    (False, ["Safe", "Danger", "Safe", "Warning", "Danger"]),
+])
+def test_only_between_pictures_that_come_slowly_a_silent_zone_is_none_that_was_seen(draws_slowly, zones):
     said = [("Safe", "SEEN"), ("Danger", "SILENT"), ("Safe", "SEEN"), ("Warning", "SEEN"), ("Danger", "SILENT"), ("Danger", "SEEN")]
-    seen = SimpleNamespace(states=[SimpleNamespace(zone_text=zone, cause_text=cause) for zone, cause in said])
-    assert observer.Observer.zones.fget(seen) == ["Safe", "Warning", "Danger"]
+    states = [SimpleNamespace(zone_text=zone, cause_text=cause) for zone, cause in said]
+    assert observer.Observer.zones.fget(SimpleNamespace(states=states, draws_slowly=draws_slowly)) == zones
 
 
 def times(monkeypatch, simulated, real):
