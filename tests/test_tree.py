@@ -10,6 +10,7 @@ from tree import ROOT, SOURCES, tracked_files
 
 TOP_LEVEL = {
     *("safety_control_cloud", "tests", "scripts", "CMakeLists.txt", "package.xml", "README.md"),
+    # rosmsg and rossrv, and so `rossrv show`, look for PACKAGE/msg and PACKAGE/srv where package.xml lies.
     *("msg", "cfg", "srv", "setup.py", "LICENSE", "CHANGELOG.rst"),
 }
 TOOLS_OF_A_CLONE = {"setup", "test", "demo", "bench", "trials", "package"}
