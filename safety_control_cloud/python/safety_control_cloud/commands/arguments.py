@@ -5,8 +5,6 @@ from __future__ import annotations
 import argparse
 from math import inf
 
-from ..simulation.world_files import world_file, world_names
-
 
 def picture_size(text: str) -> tuple[int, int]:
     """[px] of `640x480`."""
@@ -33,14 +31,6 @@ def positive(text: str) -> float:
     return number
 
 
-def camera_rate(text: str) -> float:
-    """No more than one picture a tick of the simulators."""
-    rate = positive(text)
-    if rate > 100.0:
-        raise argparse.ArgumentTypeError(f"{text} is more than 100")
-    return rate
-
-
 def not_negative(text: str) -> float:
     number = float(text)
     if not 0.0 <= number < inf:
@@ -48,9 +38,9 @@ def not_negative(text: str) -> float:
     return number
 
 
-def world(name: str) -> str:
-    """A user's file by its full path: roslaunch runs its nodes elsewhere."""
-    try:
-        return name if name in world_names() else str(world_file(name).resolve())
-    except FileNotFoundError as error:
-        raise argparse.ArgumentTypeError(str(error)) from error
+def parameter(text: str) -> tuple[str, str]:
+    """A private parameter of a node, as `danger_distance=0.6`."""
+    name, equals, value = text.partition("=")
+    if not (name and equals and value):
+        raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE")
+    return name.lstrip("~_"), value

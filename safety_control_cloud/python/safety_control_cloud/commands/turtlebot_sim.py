@@ -7,8 +7,8 @@ import sys
 from typing import TYPE_CHECKING
 
 from ..simulation.base import LIMITS
-from ..simulation.world_files import world_names
-from .arguments import camera_rate, not_negative, picture_size, world, yes
+from ..simulation.world_files import world_argument, world_names
+from .arguments import not_negative, picture_size, positive, yes
 from .remappings import without_remappings
 
 if TYPE_CHECKING:
@@ -20,9 +20,9 @@ def parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="turtlebot_sim", description=__doc__.split(": ", 1)[1],
         formatter_class=argparse.ArgumentDefaultsHelpFormatter)
-    parser.add_argument("--world", type=world, default="cabinet", help=f"{', '.join(world_names())}, or an MJCF file")
+    parser.add_argument("--world", type=world_argument, default="cabinet", help=f"{', '.join(world_names())}, or an MJCF file")
     parser.add_argument("--size", default="640x480", type=picture_size, help="of the camera's pictures [px]")
-    parser.add_argument("--camera-rate", default=20.0, type=camera_rate, help="pictures a simulated second; their distance is rounded to 10 ms")
+    parser.add_argument("--camera-rate", default=20.0, type=_camera_rate, help="pictures a simulated second; their distance is rounded to 10 ms")
     parser.add_argument("--depth-encoding", default="32FC1", choices=("32FC1", "16UC1"), help="of the depth image")
     parser.add_argument("--wheels", default="driver", choices=sorted(LIMITS),
                         help="with the driver's acceleration limits, or obeying at once as in Gazebo")
@@ -52,6 +52,14 @@ def main(argv: list[str]) -> None:
         _run_in_window(simulator, robot.world)
     else:
         simulator.run()
+
+
+def _camera_rate(text: str) -> float:
+    """No more than one picture a tick of the simulators."""
+    rate = positive(text)
+    if rate > 100.0:
+        raise argparse.ArgumentTypeError(f"{text} is more than 100")
+    return rate
 
 
 def _run_in_window(simulator: TurtlebotSim, world: World) -> None:

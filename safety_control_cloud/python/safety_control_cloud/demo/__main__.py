@@ -8,10 +8,10 @@ import argparse
 import sys
 from pathlib import Path
 
-from ..commands.arguments import positive, world
+from ..commands.arguments import positive
 from ..optional import MissingPackages
 from ..processes import ProcessError, end_on_sigterm
-from ..simulation.world_files import world_names
+from ..simulation.world_files import world_argument, world_names
 from ..view.options import add_to, make, recorded_in
 
 
@@ -21,7 +21,7 @@ def main(argv: list[str]) -> int:
         epilog="Ends with 0 only if the robot stood in Danger, having touched nothing, both times; as guard, if it touched "
         "nothing.")
     parser.add_argument("what", nargs="?", default="approach", choices=("approach", "guard"), help="(%(default)s)")
-    parser.add_argument("--world", type=world,
+    parser.add_argument("--world", type=world_argument,
                         help=f"{', '.join(world_names())}, or an MJCF file (cabinet; as guard, playground)")
     parser.add_argument("--seconds", type=positive, default=120.0, help="as guard: so long [s] somebody drives (%(default)s)")
     parser.add_argument("--seed", type=int, default=1, help="as guard: of what he tries (%(default)s)")

@@ -5,9 +5,9 @@ from __future__ import annotations
 import argparse
 from os import cpu_count
 from pathlib import Path
-from typing import Optional, Sequence, Tuple
+from typing import Optional, Sequence
 
-from safety_control_cloud.commands.arguments import count
+from safety_control_cloud.commands.arguments import count, parameter
 from safety_control_cloud.replay.options import MODES
 
 PURPOSE = "Judges recorded drives by the node's own decision: each cloud or command of each bag, in the bag's own time."
@@ -34,7 +34,7 @@ def options(arguments: Optional[Sequence[str]] = None) -> argparse.Namespace:
     parser.add_argument("--cmd-vel", metavar="T", help="mode guard: Twist or TwistStamped [the one named cmd_vel*]")
     parser.add_argument("--odom", metavar="T", help="mode guard: nav_msgs/Odometry [odom, else the only one]")
     parser.add_argument("--settings", metavar="F.yaml", type=Path, help="the node's parameters, as in config/default.yaml")
-    parser.add_argument("--param", metavar="NAME=VALUE", type=_parameter, action="append", default=[],
+    parser.add_argument("--param", metavar="NAME=VALUE", type=parameter, action="append", default=[],
                         help="one of them; goes before the file")
     parser.add_argument("--compare", metavar=("A.yaml", "B.yaml"), nargs=2, type=Path,
                         help="judge by both, and show what changes from A to B")
@@ -45,10 +45,3 @@ def options(arguments: Optional[Sequence[str]] = None) -> argparse.Namespace:
     if given.compare and given.settings:
         parser.error("--compare has its own settings")
     return given
-
-
-def _parameter(text: str) -> Tuple[str, str]:
-    name, equals, value = text.partition("=")
-    if not (name and equals and value):
-        raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE")
-    return name.lstrip("~_"), value

@@ -5,8 +5,9 @@ from __future__ import annotations
 import argparse
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Dict, Mapping, Optional, Sequence, Tuple
+from typing import Dict, Mapping, Optional, Sequence
 
+from safety_control_cloud.commands.arguments import parameter
 from safety_control_cloud.view import options as view
 
 PURPOSE = "Tells what the safety node would have said to every cloud of a bag, or of every command in it (--mode guard)."
@@ -49,7 +50,7 @@ def request_of(arguments: Optional[Sequence[str]] = None) -> Request:
     parser.add_argument("--cmd-vel", metavar="T", help="mode guard: Twist or TwistStamped [the one named cmd_vel*]")
     parser.add_argument("--odom", metavar="T", help="mode guard: nav_msgs/Odometry [odom, else the only one]")
     parser.add_argument("--method", choices=("one_pass", "pcl"), help="how the node searches the corridor")
-    parser.add_argument("--param", metavar="NAME=VALUE", type=_parameter, action="append", default=[],
+    parser.add_argument("--param", metavar="NAME=VALUE", type=parameter, action="append", default=[],
                         help="a private parameter of the node, e.g. --param danger_distance=0.6; may be repeated")
     parser.add_argument("--settings", metavar="F.yaml", type=Path, help="parameters, as in config/default.yaml")
     parser.add_argument("--around", metavar="N", type=int, help="show only the clouds next to this one of each topic, from 0")
@@ -62,13 +63,6 @@ def request_of(arguments: Optional[Sequence[str]] = None) -> Request:
         parameters["method"] = given.method
     return Request(tuple(given.bags), tuple(given.topic), parameters, given.json, given.plot, given.around,
                    given.settings, given.rrd, given.view, given.mode, given.cmd_vel, given.odom)
-
-
-def _parameter(text: str) -> Tuple[str, str]:
-    name, equals, value = text.partition("=")
-    if not (name and equals and value):
-        raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE")
-    return name.lstrip("~_"), value
 
 
 def _picture(text: str) -> Path:

@@ -2,6 +2,7 @@
 """Where the worlds lie: MJCF files, which MuJoCo loads as they are and Gazebo as `sdf.py` puts them."""
 from __future__ import annotations
 
+import argparse
 from pathlib import Path
 
 WORLDS = Path(__file__).parent / "worlds"
@@ -19,3 +20,11 @@ def world_file(name: str | Path) -> Path:
     if not path.is_file():
         raise FileNotFoundError(f"no world {str(name)!r}: an MJCF file, or one of {', '.join(world_names())}")
     return path
+
+
+def world_argument(name: str) -> str:
+    """For argparse: a user's file by its full path, for roslaunch runs its nodes elsewhere."""
+    try:
+        return name if name in world_names() else str(world_file(name).resolve())
+    except FileNotFoundError as error:
+        raise argparse.ArgumentTypeError(str(error)) from error
