@@ -78,7 +78,7 @@ void GuardMemory::choose_whereabouts(double stamp, const Went& went, const Insta
 /// `age` [s] ago.
 std::optional<Whereabouts> GuardMemory::whereabouts_at(double age, const Went& went, const Instant& now) const {
   if (!by_odometry_) return went.given.whereabouts_at(now.steady - age);
-  const auto pose = went.odometry.pose_at(now.ros - age);
+  const auto pose = pose_at(now.ros - age, went);
   return pose ? std::optional(Whereabouts{*pose, {}, odometry_drift_}) : std::nullopt;
 }
 
