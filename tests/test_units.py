@@ -9,6 +9,8 @@ TESTED_AS = {
     "look/passthrough": "the same: it is what look() is held against",
     "look/kernel/scan_simd": "look/scan_test and depth_test, in every instruction set, with Highway and without",
     "guard/settings": "guard/guard_settings_test",
+    "guard/directions": "guard_control_test and guarded_drives_test: what is open for a robot that is stuck",
+    "guard/pose": "guard_test: what may have gone several ways",
     "guard/facing": "guard/guard_settings_test and guard_sensors_test: what asks it",
     "guard/seen_at": "guard/out_of_sight_test: what asks it",
     "guard_sensor": "guard_sensors_test: several of them",

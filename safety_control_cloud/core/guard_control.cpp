@@ -20,11 +20,6 @@ Settings checked(const Settings& settings) {
   return settings;
 }
 
-Following following_of(const Settings& settings) {
-  return {settings.latency + settings.base_reaction, settings.stopping.base_deceleration,
-          settings.angular_deceleration};
-}
-
 std::vector<GuardSensor> sensors_by(const Settings& settings, const Guard& guard) {
   std::vector<GuardSensor> sensors;
   for (const SensorSettings& sensor : sensors_of(settings)) sensors.emplace_back(sensor, settings, guard);
@@ -132,9 +127,9 @@ std::vector<Known> GuardControl::known_at(const Instant& now) {
     const auto doubt = doubt_of(known);
     if (doubt && !sensor.is_required())
       last_.doubts.push_back(words(sensor.name(), ": ", name_of(doubt->cause), ", ", doubt->reason));
-    if (const auto blind = sensor.blindness_explained(); blind && !known.doubt)
+    if (known.is_placed && !known.doubt)
       last_.doubts.push_back(
-          words(sensor.name(), ": ", name_of(blind->cause), ", before what is known to stand there"));
+          words(sensor.name(), ": ", name_of(known.lost->cause), ", before what is known to stand there"));
     const bool is_absent = known.doubt || (known.lost && known.lost->cause == Cause::Blind);
     if (is_absent && !sensor.is_required()) continue;
     if (outside_) known.doubt = outside_;
@@ -205,7 +200,7 @@ const Guarded& GuardControl::answer(const Instant& now) {
   last_.stuck = meant && allowed.factor == 0.0 && !stands(in_plane(*wanted_));
   if (last_.stuck && !was_stuck) last_.stuck_since = now.steady;
   given_.note(in_plane(last_.given), now.steady);
-  last_.open = last_.stuck ? open_directions(now, known) : std::uint8_t{0};
+  last_.open = last_.stuck ? open_directions(guard_, settings_, under_way(now), known) : std::uint8_t{0};
   return last_;
 }
 
@@ -213,17 +208,6 @@ const Sight& GuardControl::sight_of(const std::string& sensor) const {
   const auto decided = [&](const GuardSensor& one) { return one.name() == sensor; };
   const auto found = std::find_if(sensors_.begin(), sensors_.end(), decided);
   return (found == sensors_.end() ? sensors_.front() : *found).counted();
-}
-
-std::uint8_t GuardControl::open_directions(const Instant& now, const std::vector<Known>& known) const {
-  std::uint8_t open = 0;
-  const auto moving = under_way(now);
-  for (const Direction& direction : directions) {
-    const Twist2 wanted = at_speed(guard_.outline(), direction, std::max(settings_.escape_speed, settings_.min_speed));
-    const Twist2 given = limited(wanted, guard_.allowed(wanted, moving, known).factor);
-    if (!stands(given) && fastest_point(guard_.outline(), given) >= settings_.min_speed) open |= direction.bit;
-  }
-  return open;
 }
 
 }  // namespace safety_control_cloud

@@ -97,7 +97,6 @@ class GuardControl {
   Allowed overridden(const Twist2& wanted, const std::vector<Known>& known, const Instant& now) const;
   Allowed allowed_now(const Instant& now, const std::vector<Known>& known) const;
   const Sight& sight_of(const std::string& sensor) const;
-  std::uint8_t open_directions(const Instant& now, const std::vector<Known>& known) const;
 
   Settings settings_;
   Guard guard_;

@@ -21,20 +21,6 @@ constexpr double few_returns = 0.1;    ///< of the points: with more, a camera i
 constexpr double least_of_scan = 0.3;  ///< [m] from which on a laser measures what is there
 constexpr double least_beyond = 0.15;  ///< [m] beyond its blind range from which on a camera does
 
-Law law_of(const Settings& settings) {
-  Law law;
-  law.sensor_period = settings.stopping.sensor_period;
-  law.latency = settings.latency;
-  law.base_reaction = settings.base_reaction;
-  law.linear_deceleration = settings.stopping.base_deceleration;
-  law.angular_deceleration = settings.angular_deceleration;
-  law.obstacle_speed = settings.obstacle_speed;
-  law.escape_speed = settings.escape_speed;
-  law.noise = settings.noise;
-  law.min_points = settings.corridor.min_points;
-  return law;
-}
-
 Surroundings surroundings_of(const Settings& own, const Guard& guard) {
   const FrameCorridor& band = own.frame_corridor;
   return {guard.outline(), {band.bottom, band.top, guard.reach(own.source_timeout, law_of(own)), own_boxes_of(own)}};
@@ -175,12 +161,6 @@ void GuardSensor::explain_blindness(const std::vector<KnownPlace>& known) {
   is_explained_ = returned <= few_returns && hides(known, {all}, taken_->field, own_.near_loss.blind_range, returned);
 }
 
-std::optional<Doubt> GuardSensor::blindness_explained() const {
-  const auto* doubt = std::get_if<Doubt>(&sensor_.answer());
-  const bool is = doubt && doubt->cause == Cause::Blind && was_sound_ && is_explained_;
-  return is ? std::optional(*doubt) : std::nullopt;
-}
-
 void GuardSensor::forget_poses() {
   lost_.forget_places();
   placed_.reset();
@@ -197,17 +177,8 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
   known.sensor = about_.name;
   known.law = law_;
   if (const auto* doubt = std::get_if<Doubt>(&sensor_.answer())) known.doubt = *doubt;
-  if (auto blind = blindness_explained()) {
-    static const std::vector<Ring> nothing;
-    known.rings = &nothing;
-    known.ways = {Pose2{}};
-    known.eye = taken_->eye;
-    known.lost = std::move(blind);
-    known.is_placed = true;
-    known.doubt = outside_;
-    return known;
-  }
   if (auto lost = loss_in(sensor_.answer(), own_.corridor.min_points, is_explained_); lost && was_sound_) {
+    known.is_placed = is_explained_ && lost->cause == Cause::Blind;
     known.lost = std::move(lost);
     if (const auto* seen = std::get_if<Seen>(&sensor_.answer()); seen && seen->loss) known.hint = seen->loss->hint;
     known.doubt.reset();
@@ -217,7 +188,8 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
     if (!known.doubt) known.doubt = Doubt{Cause::NoCloud, "no cloud has been seen by these settings yet"};
     return known;
   }
-  known.rings = &around_.rings();
+  static const std::vector<Ring> nothing;  // what it saw last is among the places that hide all
+  known.rings = known.is_placed ? &nothing : &around_.rings();
   known.age = std::max(now.steady - taken_->arrival.steady, now.ros - taken_->arrival.ros) + taken_->time_to_arrive;
   known.ways = ways_since_look(now, odometry, given);
   known.eye = taken_->eye;

@@ -39,9 +39,6 @@ class GuardSensor {
   /// What is known to be around it where it is blind: if that hides all from it, only the way ahead is closed.
   void explain_blindness(const std::vector<KnownPlace>& known);
 
-  /// That it is blind, and why that tells nothing new.
-  std::optional<Doubt> blindness_explained() const;
-
   /// Where the robot was is not known any more.
   void forget_poses();
 

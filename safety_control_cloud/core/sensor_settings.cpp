@@ -49,4 +49,18 @@ Settings sensor_settings(const Settings& own, double facing) {
   return sensor;
 }
 
+Law law_of(const Settings& own) {
+  Law law;
+  law.sensor_period = own.stopping.sensor_period;
+  law.latency = own.latency;
+  law.base_reaction = own.base_reaction;
+  law.linear_deceleration = own.stopping.base_deceleration;
+  law.angular_deceleration = own.angular_deceleration;
+  law.obstacle_speed = own.obstacle_speed;
+  law.escape_speed = own.escape_speed;
+  law.noise = own.noise;
+  law.min_points = own.corridor.min_points;
+  return law;
+}
+
 }  // namespace safety_control_cloud

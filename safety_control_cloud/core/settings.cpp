@@ -82,6 +82,11 @@ std::vector<std::string> problems_in(const Settings& settings) {
   return problems.sentences;
 }
 
+Following following_of(const Settings& settings) {
+  return {settings.latency + settings.base_reaction, settings.stopping.base_deceleration,
+          settings.angular_deceleration};
+}
+
 std::vector<std::string> doubts_about(const Settings& settings) {
   if (settings.mode == Mode::Guard) return {};  // its speed follows from the distance
   return doubts_about_stopping(settings, settings.source_timeout);

@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "doubt/settings.hpp"
+#include "guard/given.hpp"
 #include "guard/settings.hpp"
 #include "input/kind.hpp"
 #include "look/settings.hpp"
 #include "memory/settings.hpp"
+#include "speed/law.hpp"
 #include "speed/settings.hpp"
 
 namespace safety_control_cloud {
@@ -48,6 +50,12 @@ Settings own_settings(const Settings& settings, const SensorSettings& sensor);
 /// Of own_settings() those that the sensor looks by: down a corridor as wide as the robot that leads, in base_frame,
 /// into the direction [rad] in which it looks.
 Settings sensor_settings(const Settings& own, double facing = 0.0);
+
+/// Of own_settings() those by which what the sensor shows is judged.
+Law law_of(const Settings& own);
+
+/// How the base follows what the guard gives.
+Following following_of(const Settings& settings);
 
 /// What is fit but unwise: distances in which the robot could not stop.
 std::vector<std::string> doubts_about(const Settings& settings);

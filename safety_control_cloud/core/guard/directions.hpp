@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "../path/outline.hpp"
+#include "guard.hpp"
 
 namespace safety_control_cloud {
 
@@ -26,5 +28,9 @@ constexpr std::array<Direction, 6> directions = {{{1, "forward", {1, 0, 0}},
 inline Twist2 at_speed(const Outline& outline, const Direction& direction, double speed) {
   return limited(direction.twist, speed / fastest_point(outline, direction.twist));
 }
+
+/// Bits of those in which a robot that stands may move: at escape_speed, or min_speed where that is more.
+std::uint8_t open_directions(const Guard& guard, const GuardSettings& settings, const std::vector<Twist2>& under_way,
+                             const std::vector<Known>& known);
 
 }  // namespace safety_control_cloud

@@ -23,18 +23,6 @@ Footprint widened(const Outline& outline, double widening) {
   return footprint;
 }
 
-/// How far points of a ring may be from where the nearest of the ways has them, if the true one lies between two that
-/// follow each other by their size.
-double widening_for(std::vector<Pose2> ways, double extent) {
-  const double farthest = std::sqrt(2.0) * extent;
-  std::sort(ways.begin(), ways.end(),
-            [&](const Pose2& a, const Pose2& b) { return displacement(a, farthest) < displacement(b, farthest); });
-  double gap = 0.0;
-  for (std::size_t i = 1; i < ways.size(); ++i)
-    gap = std::max(gap, displacement(between(ways[i - 1], ways[i]), farthest));
-  return 0.5 * gap;
-}
-
 std::string in_words(const Limit& limit, const Point2& point) {
   return words(limit.is_escape ? "on the way out of the margin" : "obstacle", " at x ", measured(point.x, "m"), ", y ",
                measured(point.y, "m"));
@@ -196,7 +184,7 @@ Allowed Guard::by_ring(const Twist2& wanted, const std::vector<Twist2>& under_wa
                        std::size_t nearer) const {
   Allowed least;
   if (ring.returns == 0) return least;
-  const double widening = ring.obstacles.widening + widening_for(known.ways, ring.extent);
+  const double widening = ring.obstacles.widening + half_of_gap(known.ways, std::sqrt(2.0) * ring.extent);
   Law law = known.law;
   law.min_points = law.min_points > nearer ? law.min_points - nearer : 1;
   // What is inside the margin can be left only by who knows the points as they are (limit.hpp), and a robot that was

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "../path/twist.hpp"
 
@@ -60,5 +61,9 @@ class SeenAfter {
 inline double displacement(const Pose2& way, double distance) {
   return length_of(way.place) + std::abs(way.heading) * distance;
 }
+
+/// [m] that such a point may be from where the nearest of the ways has it, if the true one lies between two that follow
+/// each other by their size.
+double half_of_gap(std::vector<Pose2> ways, double distance);
 
 }  // namespace safety_control_cloud

@@ -74,7 +74,6 @@ TEST(LostSpots, WhatIsTooNearClosesOnlyTheWayThereIfItsPlaceIsKnown) {
 
 Scene wall_at(float ahead) { return Scene({{ahead, -9.0f, 9.0f, -9.0f, floor_y}}); }
 
-/// Its shape tells what lies beside it too.
 TEST(Blindness, BeforeAWallThatIsKnownClosesOnlyTheWayAhead) {
   RobotWithOdometry robot, without;
   without.has_odometry = false;
@@ -100,6 +99,28 @@ TEST(Blindness, OfWhichOnlyAPartIsKnownClosesAllButTheWayBack) {
     EXPECT_EQ(robot->wants(about).factor, 0.0);
     EXPECT_EQ(robot->wants({-0.05, 0.0, 0.0}).factor, 1.0) << robot->wants({-0.05, 0.0, 0.0}).reason;
   }
+}
+
+/// Over the wall's top a quarter of the picture returns: this is no camera that sees nothing for what it stands before.
+TEST(Blindness, OfACameraThatReturnsMuchIsOfAnotherCause) {
+  Settings settings = remembering();
+  settings.min_valid_ratio = 0.9;
+  RobotWithOdometry robot(settings);
+  drives_up(robot, [](float ahead) {
+    return Scene({{3.0f, -9.0f, 9.0f, -9.0f, floor_y}, {ahead, -9.0f, 9.0f, -0.08f, floor_y}});
+  });
+  EXPECT_EQ(robot.wants(about).cause, Cause::Blind);
+  EXPECT_EQ(robot.wants(about).factor, 0.0);
+}
+
+TEST(Blindness, IsExplainedByNothingThatOtherSettingsShowed) {
+  RobotWithOdometry robot;
+  drives_up(robot, wall_at);
+  ASSERT_GT(robot.wants(about).factor, 0.0);
+  robot.control.adopt(remembering(1.4));
+  EXPECT_EQ(robot.wants(about).factor, 0.0);
+  robot.passes(0.3, wall_at(0.36f));
+  EXPECT_EQ(robot.wants(about).factor, 0.0);
 }
 
 /// What is known lies before it no more, and it is dark still.
