@@ -40,6 +40,15 @@ def test_a_foot_swings_about_its_path_and_ends_where_it_ends():
     assert max(abs(np.diff(swings))) < 0.03, "it does not jump"
 
 
+def test_the_feet_come_together_where_who_walks_stands_for_a_while():
+    ways = ((0.0, 0.0, 0.0), (2.0, 2.0, 0.0), (3.0, 2.0, 0.0), (5.0, 2.0, 2.0))
+    feet = [Path(ways, stride=0.15, phase=phase) for phase in (0.0, np.pi)]
+    for path in feet:
+        assert {path.at(time) for time in np.arange(2.0, 3.0, 0.1)} == {(2.0, 0.0)}
+        assert {path.at(time)[1] for time in np.arange(0.0, 2.0, 0.1)} == {0.0}, "they swing to where he goes"
+    assert abs(feet[0].at(4.1)[1] - feet[1].at(4.1)[1]) > 0.05
+
+
 @pytest.mark.parametrize("yaw", [0.0, 0.5, -1.0])
 def test_a_wall_has_its_front_where_it_was_asked_for(yaw, staged):
     stage = staged(wall("wall", 0.6 * np.cos(yaw), 0.6 * np.sin(yaw), yaw))

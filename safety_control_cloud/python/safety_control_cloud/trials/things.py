@@ -37,13 +37,25 @@ class Path:
         """x, y [m] at `time` [s]."""
         times, xs, ys = zip(*self.waypoints)
         x, y = float(np.interp(time, times, xs)), float(np.interp(time, times, ys))
-        if not self.stride or not times[0] < time < times[-1]:
+        walk = next((walk for walk in self._walks() if walk[0][0] < time < walk[-1][0]), None) if self.stride else None
+        if walk is None:
             return x, y
-        dx, dy = xs[-1] - xs[0], ys[-1] - ys[0]
+        (begins, from_x, from_y), (ends, to_x, to_y) = walk[0], walk[-1]
+        dx, dy = to_x - from_x, to_y - from_y
         way = hypot(dx, dy) or 1.0
-        ease = min(1.0, (time - times[0]) / 0.3, (times[-1] - time) / 0.3)  # the feet come together at either end
-        swing = ease * self.stride * sin(2 * np.pi * hypot(x - xs[0], y - ys[0]) / self.step + self.phase)
+        ease = min(1.0, (time - begins) / 0.3, (ends - time) / 0.3)  # the feet come together at either end
+        swing = ease * self.stride * sin(2 * np.pi * hypot(x - from_x, y - from_y) / self.step + self.phase)
         return x + swing * dx / way, y + swing * dy / way
+
+    def _walks(self) -> list[list[tuple[float, float, float]]]:
+        """The waypoints between two rests."""
+        walks = [[self.waypoints[0]]]
+        for last, waypoint in zip(self.waypoints, self.waypoints[1:]):
+            if waypoint[1:] == last[1:]:
+                walks.append([waypoint])
+            else:
+                walks[-1].append(waypoint)
+        return walks
 
 
 @dataclass(frozen=True)
