@@ -79,8 +79,11 @@ void NearGround::look_at(const Pixels& picture, const Outlook& outlook, float di
   }
 }
 
-/// How a thing with its foot here stands on the floor.
+/// How a thing with its foot here stands on the floor. One that ends with the picture does, though it be so thin that
+/// the column which is read shows the floor beside it.
 NearGround::Stand NearGround::stand_of(const Foot& foot) const {
+  const std::size_t lowest_row = foot.row + 2 * row_step_ + height_ / blank_share;
+  if (lowest_row >= height_) return Stand::Stands;
   const std::size_t column = column_at(foot.column), most = std::max<std::size_t>(1, height_ / row_step_ / blank_share);
   std::size_t blank = 0;
   bool gap = false;
@@ -89,7 +92,7 @@ NearGround::Stand NearGround::stand_of(const Foot& foot) const {
     if (code == elsewhere) return Stand::Hangs;
     if (code == near) {
       // Lower than its foot, what reaches the floor is another thing.
-      if (picture_row(i) > foot.row + 2 * row_step_ + height_ / blank_share) return Stand::Hangs;
+      if (picture_row(i) > lowest_row) return Stand::Hangs;
       return gap ? Stand::Unseen : Stand::Stands;
     }
     blank = code == nothing ? blank + 1 : 0;
