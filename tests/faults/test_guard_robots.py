@@ -62,7 +62,7 @@ def test_of_a_robot_whose_odometry_is_tf_what_it_turned_away_from_stays(master):
             time.sleep(0.04)
             heading[0] += math.pi / 50
         robot.driver.say(twist(-0.5))
-        there = pytest.approx(-0.2 - 0.178, abs=0.05)  # once it has turned, as far as the node has heard of it
+        there = pytest.approx(-0.2 - 0.178, abs=0.08)  # once it has turned; the nearest of many returns lies before the wall
         robot.gives(lambda state: state.sensor == "memory" and state.factor < 0.9 and state.nearest_point.x == there)
         tf.end()
         robot.stands("NO_ODOMETRY")
