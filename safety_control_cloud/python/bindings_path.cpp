@@ -66,7 +66,7 @@ core::Limit limit(const core::Outline& outline, const core::Law& law, const Arra
                   const std::vector<Triple>& under_way, double age) {
   std::vector<core::Twist2> twists;
   for (const Triple& twist : under_way) twists.push_back(twist_of(twist));
-  return core::limit(outline, law, {points_of(points), {}, 0.0}, age, twists, twist_of(wanted));
+  return core::limit(outline, law, {points_of(points), {}, 0.0}, age, {std::move(twists)}, twist_of(wanted));
 }
 
 core::Law law_of(const py::kwargs& numbers) {

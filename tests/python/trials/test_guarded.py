@@ -163,6 +163,8 @@ def test_a_rude_driver_runs_into_nothing_in_view_and_into_things_without_a_guard
     assert '"family": "all"' in to_json([ours, alone])
     assert table_of([ours]).row_count == 2
     assert verdict_of([ours])[0].startswith("ours: in 1 drives, contacts while moving with what was 0 in view")
+    told = verdict_of([replace(ours, shares=(0.5, 1.0), odometry=True), replace(ours, shares=(0.25,), odometry=False)])[1]
+    assert told == "  given / safe: 0.75 with odometry (1 drives), 0.25 without (1 drives)"
 
 
 def test_the_command_writes_a_table_a_page_and_numbers(tmp_path, capsys, monkeypatch):

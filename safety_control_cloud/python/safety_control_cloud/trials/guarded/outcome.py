@@ -76,6 +76,7 @@ class Outcome:
     seed: int
     method: str
     hull: str  # circle or rectangle
+    odometry: bool
     touches: tuple[Touch, ...]
     seconds: float
     metres: float  # driven
@@ -146,8 +147,8 @@ class Judge:
     def outcome(self, alone: Judge | None = None) -> Outcome:
         scenario, shares = self._scenario, self._shares
         return Outcome(
-            scenario.family, scenario.seed, self._method, "rectangle" if scenario.hull else "circle", tuple(self._touches),
-            self._last.time, self._metres, tuple(shares["ahead"]), tuple(shares["seeing"]), tuple(shares["elsewhere"]),
+            scenario.family, scenario.seed, self._method, "rectangle" if scenario.hull else "circle", scenario.odometry,
+            tuple(self._touches), self._last.time, self._metres, tuple(shares["ahead"]), tuple(shares["seeing"]), tuple(shares["elsewhere"]),
             self._safe, self._whole, self._lost, self.arrived, alone.arrived if alone else None, alone.clearance if alone else None)
 
     def _note(self, hit: Hit, moment: Moment) -> None:

@@ -52,6 +52,15 @@ def table_of(outcomes: Sequence[Outcome]) -> Table:
     return table
 
 
+def _by_odometry(outcomes: Sequence[Outcome], method: str) -> str:
+    told = []
+    for odometry, who in ((True, "with odometry"), (False, "without")):
+        some = row(ALL, method, [one for one in outcomes if (one.method, one.odometry) == (method, odometry)])
+        if isfinite(some.share):
+            told.append(f"{some.share:.2f} {who} ({some.drives} drives)")
+    return ", ".join(told) or "never to go forward"
+
+
 def verdict_of(outcomes: Sequence[Outcome]) -> list[str]:
     """A line for each method, and our failures."""
     lines = []
@@ -59,6 +68,7 @@ def verdict_of(outcomes: Sequence[Outcome]) -> list[str]:
         one = row(ALL, method, [other for other in outcomes if other.method == method])
         touches = ", ".join(f"{count} {kind}" for kind, count in one.touches.items())
         lines.append(f"{method}: in {one.drives} drives, contacts while moving with what was {touches}")
+        lines.append(f"  given / safe: {_by_odometry(outcomes, method)}")
     for one in outcomes:
         if one.method == "ours" and is_failure(one):
             touched = [touch.hit.thing for touch in one.touches if touch.kind == IN_VIEW]
