@@ -147,8 +147,10 @@ std::vector<Known> GuardControl::known_at(const Instant& now) {
   return {none};
 }
 
-std::vector<Twist2> GuardControl::under_way(const Instant& now) const {
-  return given_.under_way(now.steady, odometry_.twist_at(now.ros));
+UnderWay GuardControl::under_way(const Twist2& wanted, const Instant& now) const {
+  const double until_told_anew = 1.0 / settings_.publish_rate;
+  return {given_.under_way(now.steady, odometry_.twist_at(now.ros)),
+          given_.slowing_along(wanted, now.steady, until_told_anew)};
 }
 
 /// The cause stays what the sensors are worth, so that nobody takes this for sight.
@@ -174,7 +176,7 @@ Allowed GuardControl::allowed_now(const Instant& now, const std::vector<Known>& 
   if (unwanted_) return standing(Cause::BadCommand, *unwanted_);
   if (is_absurd(*wanted_)) return standing(Cause::BadCommand, "the command is no motion that a robot can drive");
   const Twist2 wanted = in_plane(*wanted_);
-  Allowed allowed = overrides ? overridden(wanted, known, now) : guard_.allowed(wanted, under_way(now), known);
+  Allowed allowed = overrides ? overridden(wanted, known, now) : guard_.allowed(wanted, under_way(wanted, now), known);
   const bool dead = fastest_point(guard_.outline(), limited(wanted, allowed.factor)) < settings_.min_speed;
   if (allowed.factor < 1.0 && dead) allowed.factor = 0.0;
   return allowed;
@@ -200,7 +202,7 @@ const Guarded& GuardControl::answer(const Instant& now) {
   last_.stuck = meant && allowed.factor == 0.0 && !stands(in_plane(*wanted_));
   if (last_.stuck && !was_stuck) last_.stuck_since = now.steady;
   given_.note(in_plane(last_.given), now.steady);
-  last_.open = last_.stuck ? open_directions(guard_, settings_, under_way(now), known) : std::uint8_t{0};
+  last_.open = last_.stuck ? open_directions(guard_, settings_, under_way({}, now), known) : std::uint8_t{0};
   return last_;
 }
 

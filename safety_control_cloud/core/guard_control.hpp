@@ -93,7 +93,7 @@ class GuardControl {
  private:
   void explain_blindness(std::size_t sensor, const Origin& origin, const Instant& now);
   std::vector<Known> known_at(const Instant& now);
-  std::vector<Twist2> under_way(const Instant& now) const;
+  UnderWay under_way(const Twist2& wanted, const Instant& now) const;
   Allowed overridden(const Twist2& wanted, const std::vector<Known>& known, const Instant& now) const;
   Allowed allowed_now(const Instant& now, const std::vector<Known>& known) const;
   const Sight& sight_of(const std::string& sensor) const;

@@ -5,7 +5,7 @@
 
 namespace safety_control_cloud {
 
-std::uint8_t open_directions(const Guard& guard, const GuardSettings& settings, const std::vector<Twist2>& under_way,
+std::uint8_t open_directions(const Guard& guard, const GuardSettings& settings, const UnderWay& under_way,
                              const std::vector<Known>& known) {
   const Outline& outline = guard.outline();
   std::uint8_t open = 0;

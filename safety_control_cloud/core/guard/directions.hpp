@@ -30,7 +30,7 @@ inline Twist2 at_speed(const Outline& outline, const Direction& direction, doubl
 }
 
 /// Bits of those in which a robot that stands may move: at escape_speed, or min_speed where that is more.
-std::uint8_t open_directions(const Guard& guard, const GuardSettings& settings, const std::vector<Twist2>& under_way,
+std::uint8_t open_directions(const Guard& guard, const GuardSettings& settings, const UnderWay& under_way,
                              const std::vector<Known>& known);
 
 }  // namespace safety_control_cloud

@@ -159,6 +159,24 @@ Twist2 Given::Steady::with(const Twist2& measured) const {
   return sum(twist, difference(measured, limited(now, share_in(now, measured))));
 }
 
+/// By the axis that takes longer to brake, which is the one that keeps to its rate.
+double Given::slowing_along(const Twist2& wanted, double now, double time) const {
+  const Twist2 slow = slowly_at(now + following_.delay);
+  Rest rest(wanted);
+  rest.add(told_at(now - following_.delay));
+  for (auto told = first_after(now - following_.delay); told != told_.end(); ++told) rest.add(told->twist);
+  rest.add(slowly_at(now));
+  rest.add(slow);
+  if (!rest.is_slight()) return 0.0;
+  const double speed = speed_of(wanted), linear = speed / following_.linear_deceleration,
+               angular = std::abs(wanted.w) / following_.angular_deceleration;
+  const bool by_speed = linear >= angular;
+  const double share =
+      by_speed ? dot(safety_control_cloud::linear(slow), safety_control_cloud::linear(wanted)) / (speed * speed)
+               : slow.w / wanted.w;
+  return std::max(0.0, std::min(1.0, share) - time / (by_speed ? linear : angular));
+}
+
 Pose2 Given::pose_of(Late base, double moment) const {
   if (told_.empty()) return {};
   const auto after = first_after(moment);

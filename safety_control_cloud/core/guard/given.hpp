@@ -34,6 +34,10 @@ class Given {
   /// it brakes as slowly as it can, and what is `measured`; or fewer, if no stopping way of these exceeds theirs.
   std::vector<Twist2> under_way(double now, const std::optional<Twist2>& measured = std::nullopt) const;
 
+  /// The factor of a twist that a base which brakes as slowly as it can is down to in `time` [s] after a command to
+  /// stop has its effect; 0 if what it may be doing until then is not nearly on the path of that twist.
+  double slowing_along(const Twist2& wanted, double now, double time) const;
+
   /// Where the robot is, in a frame that rests, if it obeys at once, half of it, or as late as can be.
   using Reckoned = std::array<Pose2, 3>;
 

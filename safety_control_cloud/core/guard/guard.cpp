@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "../path/sweep.hpp"
-#include "../speed/limit.hpp"
 #include "../text/words.hpp"
 
 namespace safety_control_cloud {
@@ -54,8 +53,7 @@ double Guard::reach(double oldest, const Law& law) const {
   return outline_.reach() + outline_.margin() + (fastest + law.obstacle_speed) * time;
 }
 
-Allowed Guard::allowed(const Twist2& wanted, const std::vector<Twist2>& under_way,
-                       const std::vector<Known>& known) const {
+Allowed Guard::allowed(const Twist2& wanted, const UnderWay& under_way, const std::vector<Known>& known) const {
   if (known.empty()) return standing({}, {Cause::NoCloud, "there is no sensor"});
   for (const Known& one : known) {
     if (one.doubt) return standing(one.sensor, *one.doubt);
@@ -75,10 +73,11 @@ Allowed Guard::allowed(const Twist2& wanted, const std::vector<Twist2>& under_wa
   }
   capped.in_view = in_view;
   const Twist2 slower = limited(wanted, capped.factor);
+  const UnderWay of_slower{under_way.twists, std::min(1.0, under_way.slowing / capped.factor)};
   Allowed seen;
   for (const Known& one : known)
     if (!one.is_reckoned || !(one.seen_by && leads_to_where_it_looks(outline_, *one.seen_by, wanted)))
-      seen = lesser(std::move(seen), by_sight(slower, under_way, one));
+      seen = lesser(std::move(seen), by_sight(slower, of_slower, one));
   if (seen.factor >= 1.0) return capped;
   seen.in_view = in_view;
   seen.factor *= capped.factor;
@@ -167,7 +166,7 @@ Allowed Guard::by_horizon(const Twist2& wanted, const std::vector<Known>& known)
   return allowed;
 }
 
-Allowed Guard::by_sight(const Twist2& wanted, const std::vector<Twist2>& under_way, const Known& known) const {
+Allowed Guard::by_sight(const Twist2& wanted, const UnderWay& under_way, const Known& known) const {
   Allowed least;
   if (!known.rings) return standing(known.sensor, {Cause::NoCloud, "nothing has been seen yet"});
   std::size_t nearer = 0;
@@ -180,7 +179,7 @@ Allowed Guard::by_sight(const Twist2& wanted, const std::vector<Twist2>& under_w
 }
 
 /// Returns of the rings inside count as touched already, so that an obstacle that two rings share is one.
-Allowed Guard::by_ring(const Twist2& wanted, const std::vector<Twist2>& under_way, const Known& known, const Ring& ring,
+Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Known& known, const Ring& ring,
                        std::size_t nearer) const {
   Allowed least;
   if (ring.returns == 0) return least;

@@ -9,6 +9,7 @@
 #include "../path/outline.hpp"
 #include "../speed/law.hpp"
 #include "command.hpp"
+#include "../speed/limit.hpp"
 #include "known.hpp"
 #include "settings.hpp"
 
@@ -33,7 +34,7 @@ class Guard {
   explicit Guard(const GuardSettings& settings);
 
   /// `under_way` as limit() has it; the least of what the sensors allow.
-  Allowed allowed(const Twist2& wanted, const std::vector<Twist2>& under_way, const std::vector<Known>& known) const;
+  Allowed allowed(const Twist2& wanted, const UnderWay& under_way, const std::vector<Known>& known) const;
 
   /// The same where nobody asks what is seen: no faster than `fastest` [m/s] for the fastest point.
   Allowed at_most(const Twist2& wanted, double fastest) const;
@@ -45,8 +46,8 @@ class Guard {
 
  private:
   Allowed by_speed(const Twist2& wanted) const;
-  Allowed by_sight(const Twist2& wanted, const std::vector<Twist2>& under_way, const Known& known) const;
-  Allowed by_ring(const Twist2& wanted, const std::vector<Twist2>& under_way, const Known& known, const Ring& ring,
+  Allowed by_sight(const Twist2& wanted, const UnderWay& under_way, const Known& known) const;
+  Allowed by_ring(const Twist2& wanted, const UnderWay& under_way, const Known& known, const Ring& ring,
                   std::size_t nearer) const;
   Allowed by_zones(const Twist2& wanted, const std::vector<Known>& known) const;
   bool is_in_view(const Twist2& wanted, const std::vector<Known>& known) const;

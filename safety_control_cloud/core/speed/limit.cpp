@@ -118,9 +118,24 @@ Limit on_the_way_out(const Question& question, double factor) {
   return limit;
 }
 
+/// Whether the robot comes to stand in time if it goes on for the delay, and then brakes along the path; but for what
+/// noise of the sensor may have taken from that since it was given its speed.
+bool slows_in_time(const Question& question) {
+  const auto& [outline, law, obstacles, under_way, wanted, response] = question;
+  const Straying off = question.straying_at({0.0, 0.0, true});
+  const Sweep sweep = question.sweep(off.widening, off.share);
+  const double needed =
+      std::max(std::numeric_limits<double>::min(), stopping_time(off.share, response.delay, response.braking) -
+                                                       2.0 * law.noise / fastest_point(outline, wanted));
+  const auto first =
+      contact(obstacles, law.min_points, needed, [&](const Point2& point) { return sweep.time_to_contact(point); });
+  return first.time >= needed;
+}
+
 /// On the way out a robot that strays less, as it drives less, may pass what another may not.
-Limit limit_from(const Question& question, double escape) {
+Limit limit_from(const Question& question, double escape, double slowing) {
   Limit best = by_the_law(question);
+  if (best.factor < slowing && slows_in_time(question)) best.factor = slowing;
   for (double factor = escape; factor > best.factor && factor > 0.2 * escape; factor *= 0.5) {
     const Limit out = on_the_way_out(question, factor);
     if (out.factor > best.factor) best = out;
@@ -130,19 +145,19 @@ Limit limit_from(const Question& question, double escape) {
 
 }  // namespace
 
-Limit limit(const Outline& outline, const Law& law, const Obstacles& obstacles, double age,
-            const std::vector<Twist2>& under_way, const Twist2& wanted) {
+Limit limit(const Outline& outline, const Law& law, const Obstacles& obstacles, double age, const UnderWay& under_way,
+            const Twist2& wanted) {
   const Limit standing{0.0, {0.0, std::nullopt}, false};
   if (!is_sound(wanted)) return standing;
   const double fastest = fastest_point(outline, wanted);
   if (fastest == 0.0) return {};
   const double escape = std::min(1.0, law.escape_speed / fastest);
   Question question{outline, law, obstacles, {}, wanted, response_to(law, age, wanted)};
-  Limit least = under_way.empty() ? limit_from(question, escape) : Limit{};
-  for (const Twist2& twist : under_way) {
+  Limit least = under_way.twists.empty() ? limit_from(question, escape, 0.0) : Limit{};
+  for (const Twist2& twist : under_way.twists) {
     if (!is_sound(twist)) return standing;
     question.under_way = twist;
-    const Limit limit = limit_from(question, escape);
+    const Limit limit = limit_from(question, escape, under_way.slowing);
     if (limit.factor < least.factor) least = limit;
   }
   return least;

@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "../path/contact.hpp"
 #include "law.hpp"
 
 namespace safety_control_cloud {
+
+/// What a robot may be doing until a new command has its effect: its twist of now, and every command given in the last
+/// law.latency + law.base_reaction; none: it stands.
+struct UnderWay {
+  std::vector<Twist2> twists;
+  /// The factor of the wish that a base which brakes no faster than the law's rates is down to before it is told anew,
+  /// if it is told to stop; 0: it is not on the path of the wish, or stands by then.
+  double slowing = 0.0;
+};
 
 /// What a robot may drive of a wish, and why not all of it.
 struct Limit {
@@ -15,13 +26,15 @@ struct Limit {
 };
 
 /// The greatest factor, as far as the law can tell, from which the robot still stops before it touches what was seen.
-/// `age` [s]: that of the obstacles, which are given at their places of now. `under_way`: all that the robot may be
-/// doing until a new command has its effect: its twist of now, and every command given in the last law.latency +
-/// law.base_reaction; none: it stands.
+/// `age` [s]: that of the obstacles, which are given at their places of now.
 ///
 /// The wider a robot may stray from its path the less it may drive, and it strays less if it drives less: factors are
 /// tried from 1 down in steps, each with the margin that the step needs, until one holds. Several sensors: the least
 /// factor of theirs. Nothing is asked of a robot that wants to stand.
+///
+/// Where less than what is under way is left, a command to stop would have the base brake each axis as fast as it can,
+/// and leave the path on which it is judged. If it can be slowed along that in time, it is told `slowing` in place of
+/// less: the slowest base brakes just so, and none is faster.
 ///
 /// What is inside the margin already is touched at once, unless the motion surely leads away from it (escape.hpp): then
 /// the fastest point of the footprint may drive at escape_speed, as far as all else allows it by the law. That needs
@@ -29,6 +42,6 @@ struct Limit {
 ///
 /// `law` must be free of problems_in(law). A twist that is not sound stands.
 Limit limit(const Outline& outline, const Law& law, const Obstacles& obstacles, double age,
-            const std::vector<Twist2>& under_way, const Twist2& wanted);
+            const UnderWay& under_way, const Twist2& wanted);
 
 }  // namespace safety_control_cloud

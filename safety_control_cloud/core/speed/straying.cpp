@@ -31,7 +31,7 @@ double widening_for(const Outline& outline, const Response& response, const Axes
                     double share, const Factors& factors) {
   const double most = std::max(factors.most, share);
   const double change = std::max(std::abs(factors.least - share), std::abs(factors.most - share));
-  const double apart = std::abs(wanted.linear_time - wanted.angular_time);
+  const double apart = factors.in_step ? 0.0 : std::abs(wanted.linear_time - wanted.angular_time);
   const double to_shed = beside.linear_time + beside.angular_time;
   const double braking = most * std::max(wanted.linear_time, wanted.angular_time);
   const double lever = outline.turning_reach() + most * wanted.speed * (response.reaction + 0.5 * braking);

@@ -9,6 +9,7 @@ namespace safety_control_cloud {
 struct Factors {
   double least;
   double most;
+  bool in_step = false;  ///< told to slow no faster than both axes can, so that neither is ahead of the other
 };
 
 /// How far a base leaves the path of a wanted twist on which it is judged, since it cannot change its twist at once and

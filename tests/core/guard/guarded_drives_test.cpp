@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <deque>
 #include <random>
+#include <string>
 
 #include "../../../safety_control_cloud/core/guard/directions.hpp"
 #include "guarded_robot.hpp"
@@ -57,6 +59,54 @@ void drives_at_a_wall_without_a_halt(double unsteady) {
 
 TEST(GuardedDrives, WhoDrivesAtAWallSlowsDownWithoutAHalt) { drives_at_a_wall_without_a_halt(0.0); }
 TEST(GuardedDrives, SoDoesWhoseHandIsNotSteady) { drives_at_a_wall_without_a_halt(0.02); }
+
+/// A base that obeys late, and loses its speed slowly and its turning quickly.
+struct LateBase {
+  Twist2 twist;
+  Pose2 pose;
+  std::deque<Twist2> on_its_way = std::deque<Twist2>(8, Twist2{});
+
+  void is_told(const Command& command, double time) {
+    on_its_way.push_back({command.linear[0], 0.0, command.angular[2]});
+    const Twist2 aim = on_its_way.front();
+    on_its_way.pop_front();
+    twist.vx += std::clamp(aim.vx - twist.vx, -0.36 * time, time);
+    twist.w += std::clamp(aim.w - twist.w, -3.5 * time, 3.5 * time);
+    pose = beyond(pose, way_of(twist, time));
+  }
+};
+
+/// Who loses his turning before his speed leaves the path on which he was judged.
+TEST(GuardedDrives, OnAnArcAtSomethingItSlowsDownWithoutLeavingTheArc) {
+  for (const Twist2& wish : {Twist2{0.44, 0.0, 0.45}, Twist2{0.3, 0.0, -0.2}, Twist2{0.6, 0.0, 0.3}}) {
+    for (const bool odometry : {false, true}) {
+      GuardedRobot robot;
+      LateBase base;
+      const Point2 obstacle = way_of(wish, 1.3 / wish.vx).place;
+      Guarded answer;
+      double gap = 1.0, least = 1.0, off = 0.0;
+      for (int i = 0; gap > 0.12 && i < 1500; ++i) {
+        const Point2 there = SeenAfter(base.pose)(obstacle);
+        gap = length_of(there) - 0.178;
+        if (odometry) robot.control.note_odometry(robot.now.ros, base.pose, base.twist);
+        if (i % 5 == 0)
+          robot.see(Scene({post(static_cast<float>(there.x + 0.087), static_cast<float>(-there.y - 0.0125), 0.1f)}));
+        if (i % 5 == 0) answer = robot.control.answer(robot.now);
+        if (i % 5 == 2) answer = robot.wants(wish);
+        base.is_told(answer.given, 0.01);
+        if (i > 60 && gap > 0.2) {
+          least = std::min(least, answer.factor);
+          off = std::max(off, std::abs(base.twist.w / wish.w - base.twist.vx / wish.vx));
+        }
+        robot.pass(0.01);
+      }
+      const std::string what = std::to_string(wish.vx) + (odometry ? " with odometry" : "");
+      EXPECT_LE(gap, 0.12) << what << ": it comes near";
+      EXPECT_GT(least, 0.1) << what;
+      EXPECT_LT(off, 0.2) << what;
+    }
+  }
+}
 
 TEST(GuardedDrives, FromAWallItCannotSeeAnyMoreItBacksOff) {
   GuardedRobot robot;

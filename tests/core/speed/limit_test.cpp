@@ -11,7 +11,7 @@ namespace safety_control_cloud {
 namespace {
 
 Limit limit_before(const Obstacles& obstacles, const Twist2& wanted, const std::vector<Twist2>& under_way = {}) {
-  return limit(circle(0.2, 0.05), Law{}, obstacles, 0.0, under_way, wanted);
+  return limit(circle(0.2, 0.05), Law{}, obstacles, 0.0, {under_way}, wanted);
 }
 
 Obstacles wall_at(double x) { return {{{x, 0.0}}, {}, 0.0}; }
@@ -48,6 +48,22 @@ TEST(Limit, ReducedObstaclesInsideTheMarginAreNoWayOut) {
 TEST(Limit, TheWayOutIsClosedWhileTheRobotStillMovesOtherwise) {
   EXPECT_EQ(limit_before(wall_at(0.22), {-0.1, 0.0, 0.0}, {{0.2, 0.0, 0.0}}).factor, 0.0);
   EXPECT_GT(limit_before(wall_at(0.22), {-0.1, 0.0, 0.0}, {{-0.1, 0.0, 0.0}}).factor, 0.0);
+}
+
+/// Told to stop, it would lose its turning first, and leave the arc; slowed along that it stands in time.
+TEST(Limit, WhoCanBeSlowedAlongHisWayInTimeIsNotToldToStop) {
+  const Twist2 wanted{0.44, 0.0, 0.45};
+  const auto factor_before = [&](double distance, double slowing) {
+    return limit(circle(0.2, 0.05), Law{}, wall_at(distance), 0.0, {{wanted}, slowing}, wanted).factor;
+  };
+  double first = infinity, last = 0.0;
+  for (double distance = 0.5; distance < 0.9; distance += 0.005) {
+    const double alone = factor_before(distance, 0.0), slowed = factor_before(distance, 0.8);
+    EXPECT_TRUE(slowed == alone || (alone < 0.8 && slowed == 0.8)) << distance;
+    if (slowed != alone) first = std::min(first, distance), last = std::max(last, distance);
+  }
+  EXPECT_GT(last - first, 0.02) << "the law has it stop before it must";
+  EXPECT_GT(first, 0.55) << "too late even so";
 }
 
 TEST(Limit, SaysWhatDecided) {
