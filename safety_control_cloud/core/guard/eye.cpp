@@ -86,4 +86,15 @@ bool leads_away_from(const Eye& eye, const Twist2& twist) {
          -dot(eye.direction, linear(twist)) >= least_away * speed;
 }
 
+Obstacles beside_view(const Obstacles& all, const Eye& eye, const Twist2& twist) {
+  Obstacles some;
+  for (std::size_t i = 0; i < all.points.size(); ++i) {
+    const Point2& point = all.points[i];
+    if (eye.sees(point) || !(dot(point, linear(twist)) > 0.0)) continue;
+    some.points.push_back(point);
+    if (!all.counts.empty()) some.counts.push_back(all.counts[i]);
+  }
+  return some;
+}
+
 }  // namespace safety_control_cloud

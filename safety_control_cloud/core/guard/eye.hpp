@@ -5,6 +5,7 @@
 
 #include "../input/scan.hpp"
 #include "../look/field_of_view.hpp"
+#include "../path/obstacles.hpp"
 #include "../path/outline.hpp"
 
 namespace safety_control_cloud {
@@ -34,5 +35,8 @@ bool leads_to_where_it_looks(const Outline& outline, const Eye& eye, const Twist
 
 /// Whether no part of the robot comes nearer to where the eye looks: straight away from it, without turning.
 bool leads_away_from(const Eye& eye, const Twist2& twist);
+
+/// Of these, those that lie ahead of who drives so and beside what the eye sees.
+Obstacles beside_view(const Obstacles& all, const Eye& eye, const Twist2& twist);
 
 }  // namespace safety_control_cloud

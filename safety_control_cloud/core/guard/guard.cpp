@@ -10,6 +10,8 @@
 namespace safety_control_cloud {
 namespace {
 
+constexpr double well_reckoned = 0.2;  ///< [m] what may be off by more may as well be behind, or in the picture
+
 Allowed standing(const std::string& sensor, const Doubt& doubt) {
   return {0.0, 0.0, std::nullopt, sensor, doubt.cause, doubt.reason};
 }
@@ -37,6 +39,14 @@ bool may_leave(const Known& known, const Twist2& wanted) {
 Contact on_the_path(const Outline& outline, const Obstacles& obstacles, const Twist2& wanted) {
   const Sweep sweep(outline, wanted);
   return contact(obstacles, 1, 0.0, [&](const Point2& point) { return sweep.time_to_contact(point); });
+}
+
+/// Once the robot went so.
+Obstacles after(const Pose2& way, const Obstacles& before) {
+  const SeenAfter seen_after(way);
+  Obstacles moved{{}, before.counts, 0.0};
+  for (const Point2& point : before.points) moved.points.push_back(seen_after(point));
+  return moved;
 }
 
 }  // namespace
@@ -75,9 +85,7 @@ Allowed Guard::allowed(const Twist2& wanted, const UnderWay& under_way, const st
   const Twist2 slower = limited(wanted, capped.factor);
   const UnderWay of_slower{under_way.twists, std::min(1.0, under_way.slowing / capped.factor)};
   Allowed seen;
-  for (const Known& one : known)
-    if (!one.is_reckoned || !(one.seen_by && leads_to_where_it_looks(outline_, *one.seen_by, wanted)))
-      seen = lesser(std::move(seen), by_sight(slower, of_slower, one));
+  for (const Known& one : known) seen = lesser(std::move(seen), by_sight(slower, of_slower, one));
   if (seen.factor >= 1.0) return capped;
   seen.in_view = in_view;
   seen.factor *= capped.factor;
@@ -178,24 +186,27 @@ Allowed Guard::by_sight(const Twist2& wanted, const UnderWay& under_way, const K
   return least;
 }
 
-/// Returns of the rings inside count as touched already, so that an obstacle that two rings share is one.
+/// Returns of the rings inside count as touched already, so that an obstacle that two rings share is one. What is
+/// placed by what the base was told counts wherever it may be; for who drives where the sensor looks that saw it, only
+/// beside what that shows, and where it is most likely to be, or he would not get past anything.
 Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Known& known, const Ring& ring,
                        std::size_t nearer) const {
   Allowed least;
   if (ring.returns == 0) return least;
-  const double widening = ring.obstacles.widening + half_of_gap(known.ways, std::sqrt(2.0) * ring.extent);
+  const bool is_shown = known.is_reckoned && known.seen_by && leads_to_where_it_looks(outline_, *known.seen_by, wanted);
+  if (is_shown && ring.obstacles.widening > well_reckoned) return least;
+  const double off = is_shown ? 0.0 : ring.obstacles.widening;
+  const double widening = off + half_of_gap(known.ways, std::sqrt(2.0) * ring.extent);
   Law law = known.law;
   law.min_points = law.min_points > nearer ? law.min_points - nearer : 1;
   // What is inside the margin can be left only by who knows the points as they are (limit.hpp), and a robot that was
   // slow to stop may have come near to what was far when it was seen. So the margin is widened, not the points, and the
   // rest is taken off the noise.
-  law.noise = std::max(0.5 * law.noise, law.noise - 2.0 * ring.obstacles.widening);
+  law.noise = std::max(0.5 * law.noise, law.noise - 2.0 * off);
   const Outline outline(widened(outline_, widening));
-  Obstacles moved{{}, ring.obstacles.counts};
   for (const Pose2& way : known.ways) {
-    moved.points.clear();
-    const SeenAfter seen_after(way);
-    for (const Point2& point : ring.obstacles.points) moved.points.push_back(seen_after(point));
+    Obstacles moved = after(way, ring.obstacles);
+    if (is_shown) moved = beside_view(moved, *known.seen_by, wanted);
     const Limit limit = safety_control_cloud::limit(outline, law, moved, known.age, under_way, wanted);
     if (!(limit.factor < least.factor)) continue;
     const Contact decider = limit.contact.point ? limit.contact : on_the_path(outline, moved, wanted);

@@ -8,8 +8,8 @@
 
 #include "../path/outline.hpp"
 #include "../speed/law.hpp"
-#include "command.hpp"
 #include "../speed/limit.hpp"
+#include "command.hpp"
 #include "known.hpp"
 #include "settings.hpp"
 

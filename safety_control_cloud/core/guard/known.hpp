@@ -35,7 +35,7 @@ struct Known {
   std::string hint;            ///< what would free it then
   std::optional<ZoneCap> cap;  ///< on what leads to where it looks
   bool is_touched = false;     ///< by what was lost: then slowly, though another sensor looks there
-  bool is_reckoned = false;    ///< nobody knows well where it is: it counts where the eye does not look that saw it
+  bool is_reckoned = false;    ///< nobody knows well where it is: see Guard::by_ring
   std::optional<Eye> seen_by;  ///< that, if it looks still
 };
 

@@ -80,6 +80,24 @@ TEST(WithoutOdometry, WhatIsBesideARectangleCountsForItsTurnInPlace) {
   }
 }
 
+/// The camera looks ahead, and what it drove past does not stand there any more: it stands before its right flank.
+TEST(WithoutOdometry, WhatHasLeftThePictureBesideItCountsForTheArcThatLeadsThere) {
+  for (const bool is_there : {true, false}) {
+    RobotWithoutOdometry robot;
+    const float first = 0.6f, right = 0.22f, step = 0.015f;
+    for (float ahead = first; ahead > 0.3f; ahead -= step) {
+      const bool in_picture = is_there && ahead > 0.4f;
+      robot.drives_on(in_picture ? Scene({post(ahead, right)}) : robot.hall, {0.3, 0.0, 0.0});
+    }
+    const Guarded& answer = robot.drives_on(robot.hall, {0.3, 0.0, -1.2});
+    EXPECT_EQ(answer.factor < 0.5, is_there) << answer.reason;
+    EXPECT_EQ(answer.sensor == "memory", is_there);
+    for (int i = 0; i < 20; ++i) robot.drives_on(robot.hall, {});
+    for (const Twist2& away : {Twist2{-0.1, 0.0, 0.0}, Twist2{0.0, 0.0, 0.5}, Twist2{0.0, 0.0, -0.5}})
+      EXPECT_EQ(robot.drives_on(robot.hall, away).factor, 1.0) << robot.wants(away).reason;
+  }
+}
+
 TEST(WithoutOdometry, OneMessageIsNone) {
   RobotWithoutOdometry robot;
   robot.passes(0.5, with_post);
