@@ -69,13 +69,14 @@ void GuardSensor::adopt(const Settings& settings, const Guard& guard) {
   law_ = law_of(own_);
   sensor_.adopt(sensor_settings(own_, facing_));
   around_ = surroundings_of(own_, guard);
-  taken_.reset();  // what was collected was collected within other limits
+  collected_ = Collected::Nothing;  // what was, was collected within other limits
 }
 
 std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origin, const Instant& now,
                                      const Given& given) {
   last_arrival_ = now.steady;
   is_explained_ = false;
+  if (taken_ && collected_ == Collected::Nothing) collected_ = Collected::Before;
   face(reading, origin.placing);
   Origin facing = origin;
   if (const auto* placement = std::get_if<Placement>(&origin.placing))
@@ -108,6 +109,7 @@ Look GuardSensor::take(const Reading& reading, const Origin& origin, const Insta
   const Eye eye = scan ? eye_of(outlook, *scan) : eye_of(outlook, field);
   const Heights heights{own_.frame_corridor.bottom, own_.frame_corridor.top};
   const Horizon horizon = scan ? Horizon(outlook, *scan, heights) : Horizon(outlook, field, heights);
+  collected_ = Collected::Now;
   taken_ = Taken{now,
                  on_its_way,
                  scan ? scan->lasts : 0.0,
@@ -184,7 +186,7 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
     known.doubt.reset();
   }
   if (outside_) known.doubt = outside_;
-  if (!taken_) {
+  if (collected_ == Collected::Nothing || (collected_ == Collected::Before && !known.lost)) {
     if (!known.doubt) known.doubt = Doubt{Cause::NoCloud, "no cloud has been seen by these settings yet"};
     return known;
   }

@@ -86,6 +86,9 @@ class GuardSensor {
     Given::Reckoned from;  ///< where the robot was then
   };
 
+  /// By the present settings. Of a sensor that has been blind ever since, what it showed before tells where it looks.
+  enum class Collected { Nothing, Before, Now };
+
   const Loss* loss() const;
   void face(const Reading& reading, const Placing& placing);
   Look take(const Reading& reading, const Origin& origin, const Instant& now, const Given& given);
@@ -99,6 +102,7 @@ class GuardSensor {
   Sensor sensor_;
   Surroundings around_;
   std::optional<Taken> taken_;
+  Collected collected_ = Collected::Nothing;
   std::optional<LostSpots::Before> placed_;  ///< the latest that was believed
   LostSpots lost_;
   bool is_explained_ = false;           ///< what is lost in it, or why it is blind

@@ -113,14 +113,20 @@ TEST(Blindness, OfACameraThatReturnsMuchIsOfAnotherCause) {
   EXPECT_EQ(robot.wants(about).factor, 0.0);
 }
 
-TEST(Blindness, IsExplainedByNothingThatOtherSettingsShowed) {
-  RobotWithOdometry robot;
-  drives_up(robot, wall_at);
-  ASSERT_GT(robot.wants(about).factor, 0.0);
-  robot.control.adopt(remembering(1.4));
-  EXPECT_EQ(robot.wants(about).factor, 0.0);
-  robot.passes(0.3, wall_at(0.36f));
-  EXPECT_EQ(robot.wants(about).factor, 0.0);
+TEST(Blindness, OutlivesAChangeOfSettings) {
+  const Twist2 back{-0.05, 0.0, 0.0};
+  RobotWithOdometry robot, without;
+  without.has_odometry = false;
+  for (RobotWithOdometry* one : {&robot, &without}) {
+    drives_up(*one, wall_at);
+    one->control.adopt(remembering(1.4));
+    for (const Twist2& wish : {about, back}) EXPECT_EQ(one->wants(wish).cause, Cause::NoCloud);
+    one->passes(0.3, wall_at(0.36f));
+    EXPECT_EQ(one->wants(back).factor, 1.0) << one->wants(back).reason;
+    EXPECT_EQ(one->wants(ahead).factor, 0.0);
+  }
+  EXPECT_GT(robot.wants(about).factor, 0.0) << robot.wants(about).reason;
+  EXPECT_EQ(without.wants(about).factor, 0.0);
 }
 
 /// What is known lies before it no more, and it is dark still.
