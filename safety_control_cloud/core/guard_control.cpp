@@ -149,8 +149,8 @@ std::vector<Known> GuardControl::known_at(const Instant& now) {
 
 UnderWay GuardControl::under_way(const Twist2& wanted, const Instant& now) const {
   const double until_told_anew = std::max(1.0 / settings_.publish_rate, settings_.stopping.sensor_period);
-  return {given_.under_way(now.steady, odometry_.twist_at(now.ros)),
-          given_.slowing_along(wanted, now.steady, until_told_anew)};
+  const auto measured = odometry_.twist_at(now.ros);
+  return {given_.under_way(now.steady, measured), given_.slowing_along(wanted, now.steady, until_told_anew, measured)};
 }
 
 /// The cause stays what the sensors are worth, so that nobody takes this for sight.

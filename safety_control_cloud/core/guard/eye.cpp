@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../path/escape.hpp"
 #include "new_ground.hpp"
 #include "pose.hpp"
 
@@ -14,6 +15,8 @@ constexpr double pi = 3.14159265358979323846;
 constexpr int times = 8;
 constexpr double way_ahead = 1.0;      ///< [s] of a twist: its direction counts, not how far it leads
 constexpr double beside_view = 1.05;   ///< [rad] beyond which a way leads out of the picture
+constexpr double soon = 0.5;           ///< [s] of a twist, in which it leads to what is beside
+constexpr double nearer = 0.01;        ///< [m] and by so much
 constexpr double seam = 0.1;           ///< [rad] between the last beam of a whole turn and the first
 constexpr double straight = 0.1;       ///< [rad/m] a driver's hand is not steadier
 constexpr double least_away = 0.7071;  ///< cosine: half a right angle to each side
@@ -86,11 +89,11 @@ bool leads_away_from(const Eye& eye, const Twist2& twist) {
          -dot(eye.direction, linear(twist)) >= least_away * speed;
 }
 
-Obstacles beside_view(const Obstacles& all, const Eye& eye, const Twist2& twist) {
+Obstacles beside_view(const Obstacles& all, const Eye& eye, const Outline& outline, const Twist2& twist) {
   Obstacles some;
   for (std::size_t i = 0; i < all.points.size(); ++i) {
     const Point2& point = all.points[i];
-    if (eye.sees(point) || !(dot(point, linear(twist)) > 0.0)) continue;
+    if (eye.sees(point) || !comes_nearer(outline, twist, point, soon, nearer)) continue;
     some.points.push_back(point);
     if (!all.counts.empty()) some.counts.push_back(all.counts[i]);
   }

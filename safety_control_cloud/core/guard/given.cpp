@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "command.hpp"
+#include "shares.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -19,8 +20,8 @@ constexpr double brisk = 3.0;           ///< times the slowest
 constexpr double timeout = 0.5;         ///< [s] after which a base may stop that is told nothing
 constexpr double slip = 0.1;            ///< [m/m], [rad/rad] by which wheels may miss what they are told
 
-/// [m/s], [rad/s] by which the twists of a motion that goes on may differ from shares of one.
-constexpr double unsteady_speed = 0.05, unsteady_turning = 0.15;
+/// [m/s], [rad/s] by which a base that lags may be faster than one that brakes as slowly as it can.
+constexpr double lagging_speed = 0.03, lagging_turning = 0.1;
 
 double toward(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
 
@@ -33,35 +34,6 @@ double slowed(double from, double to, double most) {
 double size_of(const Twist2& twist) { return std::max({std::abs(twist.vx), std::abs(twist.vy), std::abs(twist.w)}); }
 
 Twist2 sum(const Twist2& a, const Twist2& b) { return {a.vx + b.vx, a.vy + b.vy, a.w + b.w}; }
-
-Twist2 difference(const Twist2& a, const Twist2& b) { return {a.vx - b.vx, a.vy - b.vy, a.w - b.w}; }
-
-/// The c in [0, 1] for which c times `whole` comes nearest to `twist`.
-double share_in(const Twist2& whole, const Twist2& twist) {
-  const auto product = [](const Twist2& a, const Twist2& b) { return a.vx * b.vx + a.vy * b.vy + a.w * b.w; };
-  const double size = product(whole, whole);
-  return size > 0.0 ? std::clamp(product(twist, whole) / size, 0.0, 1.0) : 0.0;
-}
-
-/// What of several twists is no share of one motion: a driver's hand is not steady.
-class Rest {
- public:
-  explicit Rest(const Twist2& whole) : whole_(whole) {}
-
-  /// The share that a twist has in it.
-  double add(const Twist2& twist) {
-    const double share = share_in(whole_, twist);
-    const Twist2 rest = difference(twist, limited(whole_, share));
-    most_ = {std::max(most_.vx, std::abs(rest.vx)), std::max(most_.vy, std::abs(rest.vy)),
-             std::max(most_.w, std::abs(rest.w))};
-    return share;
-  }
-  bool is_slight() const { return speed_of(most_) <= unsteady_speed && most_.w <= unsteady_turning; }
-  const Twist2& most() const { return most_; }
-
- private:
-  Twist2 whole_, most_;
-};
 
 }  // namespace
 
@@ -160,21 +132,24 @@ Twist2 Given::Steady::with(const Twist2& measured) const {
 }
 
 /// By the axis that takes longer to brake, which is the one that keeps to its rate.
-double Given::slowing_along(const Twist2& wanted, double now, double time) const {
-  const Twist2 slow = slowly_at(now + following_.delay);
+double Given::slowing_along(const Twist2& wanted, double now, double time,
+                            const std::optional<Twist2>& measured) const {
+  if (stands(wanted)) return 0.0;
+  const Twist2 slow_now = slowly_at(now), slow = slowly_at(now + following_.delay);
   Rest rest(wanted);
   rest.add(told_at(now - following_.delay));
   for (auto told = first_after(now - following_.delay); told != told_.end(); ++told) rest.add(told->twist);
-  rest.add(slowly_at(now));
-  rest.add(slow);
+  for (const Twist2& twist : {slow_now, slow}) rest.add(twist);
   if (!rest.is_slight()) return 0.0;
-  const double speed = speed_of(wanted), linear = speed / following_.linear_deceleration,
-               angular = std::abs(wanted.w) / following_.angular_deceleration;
-  const bool by_speed = linear >= angular;
-  const double share =
-      by_speed ? dot(safety_control_cloud::linear(slow), safety_control_cloud::linear(wanted)) / (speed * speed)
-               : slow.w / wanted.w;
-  return std::max(0.0, std::min(1.0, share) - time / (by_speed ? linear : angular));
+  const double speed = speed_of(wanted), turning = std::abs(wanted.w);
+  const double to_stop = speed / following_.linear_deceleration, to_face = turning / following_.angular_deceleration;
+  const bool by_speed = to_stop >= to_face;
+  const auto share_of = [&](const Twist2& twist) {
+    return by_speed ? dot(linear(twist), linear(wanted)) / (speed * speed) : twist.w / wanted.w;
+  };
+  const double tolerated = by_speed ? lagging_speed / speed : lagging_turning / turning;
+  if (measured && share_of(*measured) > share_of(slow_now) + tolerated) return 0.0;
+  return std::max(0.0, std::min(1.0, share_of(slow)) - time / std::max(to_stop, to_face));
 }
 
 Pose2 Given::pose_of(Late base, double moment) const {

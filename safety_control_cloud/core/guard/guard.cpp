@@ -82,6 +82,7 @@ Allowed Guard::allowed(const Twist2& wanted, const UnderWay& under_way, const st
     capped = std::move(within);
   }
   capped.in_view = in_view;
+  if (capped.factor == 0.0) return capped;
   const Twist2 slower = limited(wanted, capped.factor);
   const UnderWay of_slower{under_way.twists, std::min(1.0, under_way.slowing / capped.factor)};
   Allowed seen;
@@ -206,7 +207,7 @@ Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Kn
   const Outline outline(widened(outline_, widening));
   for (const Pose2& way : known.ways) {
     Obstacles moved = after(way, ring.obstacles);
-    if (is_shown) moved = beside_view(moved, *known.seen_by, wanted);
+    if (is_shown) moved = beside_view(moved, *known.seen_by, outline_, wanted);
     const Limit limit = safety_control_cloud::limit(outline, law, moved, known.age, under_way, wanted);
     if (!(limit.factor < least.factor)) continue;
     const Contact decider = limit.contact.point ? limit.contact : on_the_path(outline, moved, wanted);

@@ -119,14 +119,14 @@ Limit on_the_way_out(const Question& question, double factor) {
 }
 
 /// Whether the robot comes to stand in time if it goes on for the delay, and then brakes along the path; but for what
-/// noise of the sensor may have taken from that since it was given its speed.
+/// noise of the sensor may have taken from that since it was given its speed, and of that no more than half the margin.
 bool slows_in_time(const Question& question) {
   const auto& [outline, law, obstacles, under_way, wanted, response] = question;
   const Straying off = question.straying_at({0.0, 0.0, true});
   const Sweep sweep = question.sweep(off.widening, off.share);
+  const double lost = std::min(2.0 * law.noise, 0.5 * outline.margin()) / fastest_point(outline, wanted);
   const double needed =
-      std::max(std::numeric_limits<double>::min(), stopping_time(off.share, response.delay, response.braking) -
-                                                       2.0 * law.noise / fastest_point(outline, wanted));
+      std::max(std::numeric_limits<double>::min(), stopping_time(off.share, response.delay, response.braking) - lost);
   const auto first =
       contact(obstacles, law.min_points, needed, [&](const Point2& point) { return sweep.time_to_contact(point); });
   return first.time >= needed;

@@ -34,14 +34,15 @@ struct Limit {
 ///
 /// Where less than what is under way is left, a command to stop would have the base brake each axis as fast as it can,
 /// and leave the path on which it is judged. If it can be slowed along that in time, it is told `slowing` in place of
-/// less: the slowest base brakes just so, and none is faster.
+/// less: the slowest base brakes just so, and none is faster that follows what it is told within the delay. Who lets go
+/// of it meanwhile leaves the arc by no more than straying.hpp says.
 ///
 /// What is inside the margin already is touched at once, unless the motion surely leads away from it (escape.hpp): then
 /// the fastest point of the footprint may drive at escape_speed, as far as all else allows it by the law. That needs
 /// obstacles that were not reduced: none of them with a widening.
 ///
 /// `law` must be free of problems_in(law). A twist that is not sound stands.
-Limit limit(const Outline& outline, const Law& law, const Obstacles& obstacles, double age,
-            const UnderWay& under_way, const Twist2& wanted);
+Limit limit(const Outline& outline, const Law& law, const Obstacles& obstacles, double age, const UnderWay& under_way,
+            const Twist2& wanted);
 
 }  // namespace safety_control_cloud

@@ -128,6 +128,19 @@ TEST(Given, WhoIsSlowedAlongHisWayIsNowhereFasterThanTheSlowestWhoIsToldToStop) 
   }
 }
 
+/// One that brakes in proportion to what it is told to brake by.
+TEST(Given, ABaseThatLagsBehindIsToldToStop) {
+  for (const Twist2& wish : {Twist2{0.4, 0.0, 0.2}, Twist2{0.1, 0.0, 2.0}}) {
+    Given given(slow);
+    for (int i = 0; i < 50; ++i) given.note(wish, 1.0 + 0.02 * i);
+    for (int i = 0; i < 25; ++i) given.note(limited(wish, 1.0 - 0.02 * i), 2.0 + 0.02 * i);
+    const double sure = given.slowing_along(wish, 2.5, 0.1);
+    EXPECT_GT(sure, 0.0);
+    EXPECT_EQ(given.slowing_along(wish, 2.5, 0.1, limited(wish, 0.5)), sure);
+    EXPECT_EQ(given.slowing_along(wish, 2.5, 0.1, wish), 0.0);
+  }
+}
+
 TEST(Given, WhoIsNotOnTheWayIsNotSlowedAlongIt) {
   Given given(slow);
   EXPECT_EQ(given.slowing_along({0.5, 0.0, 0.0}, 1.0, 0.1), 0.0) << "it stands";

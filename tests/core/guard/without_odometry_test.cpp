@@ -98,6 +98,22 @@ TEST(WithoutOdometry, WhatHasLeftThePictureBesideItCountsForTheArcThatLeadsThere
   }
 }
 
+/// Its rear swings out to what it has driven past.
+TEST(WithoutOdometry, WhatIsBesideTheTailCountsForTheArcThatLeadsAwayFromIt) {
+  Settings rectangle = remembering();
+  rectangle.footprint.text = "[[0.2, 0.15], [-0.5, 0.15], [-0.5, -0.15], [0.2, -0.15]]";
+  for (const bool is_there : {true, false}) {
+    RobotWithoutOdometry robot(rectangle);
+    for (float ahead = 0.9f; ahead > -0.2f; ahead -= 0.015f) {
+      const bool in_picture = is_there && ahead > 0.5f;
+      robot.drives_on(in_picture ? Scene({post(ahead, -0.28f)}) : robot.hall, {0.3, 0.0, 0.0});
+    }
+    const Guarded& answer = robot.drives_on(robot.hall, {0.3, 0.0, -1.2});
+    EXPECT_EQ(answer.factor < 0.5, is_there) << answer.reason;
+    EXPECT_EQ(robot.drives_on(robot.hall, {0.3, 0.0, 0.0}).factor, 1.0) << robot.wants({0.3, 0.0, 0.0}).reason;
+  }
+}
+
 TEST(WithoutOdometry, OneMessageIsNone) {
   RobotWithoutOdometry robot;
   robot.passes(0.5, with_post);
