@@ -21,7 +21,7 @@ constexpr double timeout = 0.5;         ///< [s] after which a base may stop tha
 constexpr double slip = 0.1;            ///< [m/m], [rad/rad] by which wheels may miss what they are told
 
 /// [m/s], [rad/s] by which a base that lags may be faster than one that brakes as slowly as it can.
-constexpr double lagging_speed = 0.03, lagging_turning = 0.1;
+constexpr double lagging_speed = 0.015, lagging_turning = 0.1;
 
 double toward(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
 
@@ -134,7 +134,7 @@ Twist2 Given::Steady::with(const Twist2& measured) const {
 /// By the axis that takes longer to brake, which is the one that keeps to its rate.
 double Given::slowing_along(const Twist2& wanted, double now, double time,
                             const std::optional<Twist2>& measured) const {
-  if (stands(wanted)) return 0.0;
+  if (!measured || stands(wanted)) return 0.0;
   const Twist2 slow_now = slowly_at(now), slow = slowly_at(now + following_.delay);
   Rest rest(wanted);
   rest.add(told_at(now - following_.delay));
@@ -148,7 +148,7 @@ double Given::slowing_along(const Twist2& wanted, double now, double time,
     return by_speed ? dot(linear(twist), linear(wanted)) / (speed * speed) : twist.w / wanted.w;
   };
   const double tolerated = by_speed ? lagging_speed / speed : lagging_turning / turning;
-  if (measured && share_of(*measured) > share_of(slow_now) + tolerated) return 0.0;
+  if (share_of(*measured) > share_of(slow_now) + tolerated) return 0.0;
   return std::max(0.0, std::min(1.0, share_of(slow)) - time / std::max(to_stop, to_face));
 }
 

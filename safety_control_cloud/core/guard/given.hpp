@@ -35,10 +35,9 @@ class Given {
   std::vector<Twist2> under_way(double now, const std::optional<Twist2>& measured = std::nullopt) const;
 
   /// The factor of a twist that a base which brakes as slowly as it can is down to in `time` [s] after a command to
-  /// stop has its effect; 0 if what it may be doing until then is not nearly on the path of that twist, or if it is
-  /// `measured` to lag behind such a base: it may be one that brakes the less the less it is told to.
-  double slowing_along(const Twist2& wanted, double now, double time,
-                       const std::optional<Twist2>& measured = std::nullopt) const;
+  /// stop has its effect; 0 if what it may be doing until then is not nearly on the path of that twist, or if it is not
+  /// `measured` to be as slow as such a base by now: who lags brakes the less the less he is told to.
+  double slowing_along(const Twist2& wanted, double now, double time, const std::optional<Twist2>& measured) const;
 
   /// Where the robot is, in a frame that rests, if it obeys at once, half of it, or as late as can be.
   using Reckoned = std::array<Pose2, 3>;

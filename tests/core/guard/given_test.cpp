@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -113,7 +114,7 @@ TEST(Given, WhoIsSlowedAlongHisWayIsNowhereFasterThanTheSlowestWhoIsToldToStop) 
     Twist2 told = wish;
     for (int i = 0; i < 450; ++i) {
       const double now = 1.0 + 0.01 * i;
-      if (i >= 200 && i % 5 == 0) told = limited(wish, given.slowing_along(wish, now, 0.1));
+      if (i >= 200 && i % 5 == 0) told = limited(wish, given.slowing_along(wish, now, 0.1, slowed.twist));
       given.note(told, now);
       stopped.passes(i < 200 ? wish : Twist2{});
       for (Base* base : {&slowed, &quick}) base->passes(told);
@@ -134,20 +135,19 @@ TEST(Given, ABaseThatLagsBehindIsToldToStop) {
     Given given(slow);
     for (int i = 0; i < 50; ++i) given.note(wish, 1.0 + 0.02 * i);
     for (int i = 0; i < 25; ++i) given.note(limited(wish, 1.0 - 0.02 * i), 2.0 + 0.02 * i);
-    const double sure = given.slowing_along(wish, 2.5, 0.1);
-    EXPECT_GT(sure, 0.0);
-    EXPECT_EQ(given.slowing_along(wish, 2.5, 0.1, limited(wish, 0.5)), sure);
+    EXPECT_GT(given.slowing_along(wish, 2.5, 0.1, limited(wish, 0.5)), 0.0);
     EXPECT_EQ(given.slowing_along(wish, 2.5, 0.1, wish), 0.0);
+    EXPECT_EQ(given.slowing_along(wish, 2.5, 0.1, std::nullopt), 0.0) << "nobody knows";
   }
 }
 
 TEST(Given, WhoIsNotOnTheWayIsNotSlowedAlongIt) {
   Given given(slow);
-  EXPECT_EQ(given.slowing_along({0.5, 0.0, 0.0}, 1.0, 0.1), 0.0) << "it stands";
+  EXPECT_EQ(given.slowing_along({0.5, 0.0, 0.0}, 1.0, 0.1, Twist2{}), 0.0) << "it stands";
   for (int i = 0; i < 50; ++i) given.note({0.5, 0.0, 0.0}, 1.0 + 0.02 * i);
-  EXPECT_GT(given.slowing_along({0.5, 0.0, 0.1}, 2.0, 0.1), 0.8) << "a hand that is not steady";
+  EXPECT_GT(given.slowing_along({0.5, 0.0, 0.1}, 2.0, 0.1, Twist2{0.5, 0.0, 0.0}), 0.8) << "a hand that is not steady";
   for (const Twist2& other : {Twist2{0.5, 0.0, 0.8}, Twist2{-0.5, 0.0, 0.0}, Twist2{0.1, 0.0, 0.0}, Twist2{}})
-    EXPECT_EQ(given.slowing_along(other, 2.0, 0.1), 0.0) << other.vx << " " << other.w;
+    EXPECT_EQ(given.slowing_along(other, 2.0, 0.1, Twist2{0.5, 0.0, 0.0}), 0.0) << other.vx << " " << other.w;
 }
 
 TEST(Given, WhatWasTakenBackLastsNoLongerThanUntilThatHasItsEffect) {
