@@ -116,6 +116,8 @@ def test_distances_from_a_hull_and_the_speed_of_its_points():
     assert from_hull(BOX, points) == pytest.approx([0.3, 0.3, -0.2, 0.5])
     assert point_speed(Velocity(0.2, 1.0), Pose(), (0.2, 0.2), (0.0, 1.0)) == pytest.approx(0.2)
     assert point_speed(Velocity(-0.2, 0.0), Pose(yaw=pi), (1.0, 0.0), (2.0, 0.0)) == pytest.approx(0.2)
+    for normal in ((1.0, 0.0), (-1.0, 0.0)):
+        assert point_speed(Velocity(-0.05), Pose(), (0.12, 0.04), normal) == pytest.approx(-0.05), "it backs away from who walks into it"
 
 
 @pytest.mark.parametrize("driver, family", [(driver, family) for driver in DRIVEN for family in DRIVEN[driver]])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import ceil, cos, hypot, sin
+from math import ceil, copysign, cos, hypot, sin
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -105,11 +105,12 @@ def from_hull(hull: Rectangle | None, points: NDArray[np.float64]) -> NDArray[np
 
 
 def point_speed(velocity: Velocity, pose: Pose, point: tuple[float, float], normal: tuple[float, float]) -> float:
-    """[m/s] along a normal, of the hull at a point; both in the world."""
+    """[m/s] along a normal, of the hull at a point; both in the world. The normal leads out of the hull: MuJoCo turns it
+    round where a foot has gone deep into it."""
     x = velocity.linear * cos(pose.yaw) - velocity.angular * (point[1] - pose.y)
     y = velocity.linear * sin(pose.yaw) + velocity.angular * (point[0] - pose.x)
-    length = hypot(*normal)
-    return (x * normal[0] + y * normal[1]) / length if length > 1e-6 else 0.0
+    length = copysign(hypot(*normal), normal[0] * (point[0] - pose.x) + normal[1] * (point[1] - pose.y))
+    return (x * normal[0] + y * normal[1]) / length if abs(length) > 1e-6 else 0.0
 
 
 def _reach(hull: Rectangle | None) -> float:
