@@ -21,7 +21,7 @@ from safety_control_cloud.virtual_screen import virtual_screen  # noqa: E402
 PICTURE = Path(__file__).parents[3] / "build/rviz.png"  # kept, for whoever wants to look
 WIDTH, HEIGHT = 1440, 900  # [px]
 VIEW = np.s_[int(0.08 * HEIGHT):int(0.88 * HEIGHT), int(0.34 * WIDTH):]  # of the screen: the 3D view, no icons
-PATIENCE = 60.0  # [s] for a busy computer that draws in software
+PATIENCE = 240.0  # [s] for a busy computer that draws in software
 
 pytestmark = [
     pytest.mark.slow,
