@@ -22,6 +22,7 @@ constexpr double slip = 0.1;            ///< [m/m], [rad/rad] by which wheels ma
 
 /// [m/s], [rad/s] by which a base that lags may be faster than one that brakes as slowly as it can.
 constexpr double lagging_speed = 0.015, lagging_turning = 0.1;
+constexpr double measures_nothing = 0.3;  ///< of its speed: some odometry tells poses, and no twists
 
 double toward(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
 
@@ -148,7 +149,8 @@ double Given::slowing_along(const Twist2& wanted, double now, double time,
     return by_speed ? dot(linear(twist), linear(wanted)) / (speed * speed) : twist.w / wanted.w;
   };
   const double tolerated = by_speed ? lagging_speed / speed : lagging_turning / turning;
-  if (share_of(*measured) > share_of(slow_now) + tolerated) return 0.0;
+  const double at_most = share_of(slow_now), is = share_of(*measured);
+  if (is > at_most + tolerated || is < measures_nothing * at_most) return 0.0;
   return std::max(0.0, std::min(1.0, share_of(slow)) - time / std::max(to_stop, to_face));
 }
 

@@ -138,6 +138,7 @@ TEST(Given, ABaseThatLagsBehindIsToldToStop) {
     EXPECT_GT(given.slowing_along(wish, 2.5, 0.1, limited(wish, 0.5)), 0.0);
     EXPECT_EQ(given.slowing_along(wish, 2.5, 0.1, wish), 0.0);
     EXPECT_EQ(given.slowing_along(wish, 2.5, 0.1, std::nullopt), 0.0) << "nobody knows";
+    EXPECT_EQ(given.slowing_along(wish, 2.5, 0.1, Twist2{}), 0.0) << "nobody measures";
   }
 }
 
