@@ -41,14 +41,6 @@ Contact on_the_path(const Outline& outline, const Obstacles& obstacles, const Tw
   return contact(obstacles, 1, 0.0, [&](const Point2& point) { return sweep.time_to_contact(point); });
 }
 
-/// Once the robot went so.
-Obstacles after(const Pose2& way, const Obstacles& before) {
-  const SeenAfter seen_after(way);
-  Obstacles moved{{}, before.counts, 0.0};
-  for (const Point2& point : before.points) moved.points.push_back(seen_after(point));
-  return moved;
-}
-
 }  // namespace
 
 Guard::Guard(const GuardSettings& settings) : settings_(settings), outline_(footprint_of(settings)) {}
@@ -178,9 +170,10 @@ Allowed Guard::by_horizon(const Twist2& wanted, const std::vector<Known>& known)
 Allowed Guard::by_sight(const Twist2& wanted, const UnderWay& under_way, const Known& known) const {
   Allowed least;
   if (!known.rings) return standing(known.sensor, {Cause::NoCloud, "nothing has been seen yet"});
+  const bool is_shown = known.is_reckoned && known.seen_by && leads_to_where_it_looks(outline_, *known.seen_by, wanted);
   std::size_t nearer = 0;
   for (const Ring& ring : *known.rings) {
-    least = lesser(std::move(least), by_ring(wanted, under_way, known, ring, nearer));
+    least = lesser(std::move(least), by_ring(wanted, under_way, known, ring, nearer, is_shown));
     if (least.factor == 0.0) break;
     nearer += ring.returns;
   }
@@ -191,10 +184,9 @@ Allowed Guard::by_sight(const Twist2& wanted, const UnderWay& under_way, const K
 /// placed by what the base was told counts wherever it may be; for who drives where the sensor looks that saw it, only
 /// beside what that shows, and where it is most likely to be, or he would not get past anything.
 Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Known& known, const Ring& ring,
-                       std::size_t nearer) const {
+                       std::size_t nearer, bool is_shown) const {
   Allowed least;
   if (ring.returns == 0) return least;
-  const bool is_shown = known.is_reckoned && known.seen_by && leads_to_where_it_looks(outline_, *known.seen_by, wanted);
   if (is_shown && ring.obstacles.widening > well_reckoned) return least;
   const double off = is_shown ? 0.0 : ring.obstacles.widening;
   const double widening = off + half_of_gap(known.ways, std::sqrt(2.0) * ring.extent);
@@ -206,7 +198,7 @@ Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Kn
   law.noise = std::max(0.5 * law.noise, law.noise - 2.0 * off);
   const Outline outline(widened(outline_, widening));
   for (const Pose2& way : known.ways) {
-    Obstacles moved = after(way, ring.obstacles);
+    Obstacles moved = seen_after(way, ring.obstacles);
     if (is_shown) moved = beside_view(moved, *known.seen_by, outline_, wanted);
     const Limit limit = safety_control_cloud::limit(outline, law, moved, known.age, under_way, wanted);
     if (!(limit.factor < least.factor)) continue;

@@ -48,7 +48,7 @@ class Guard {
   Allowed by_speed(const Twist2& wanted) const;
   Allowed by_sight(const Twist2& wanted, const UnderWay& under_way, const Known& known) const;
   Allowed by_ring(const Twist2& wanted, const UnderWay& under_way, const Known& known, const Ring& ring,
-                  std::size_t nearer) const;
+                  std::size_t nearer, bool is_shown) const;
   Allowed by_zones(const Twist2& wanted, const std::vector<Known>& known) const;
   bool is_in_view(const Twist2& wanted, const std::vector<Known>& known) const;
   Allowed by_eyes(const Twist2& wanted, const std::vector<Known>& known, bool in_view) const;

@@ -5,6 +5,13 @@
 
 namespace safety_control_cloud {
 
+Obstacles seen_after(const Pose2& way, const Obstacles& before) {
+  const SeenAfter seen_after(way);
+  Obstacles moved{{}, before.counts, 0.0};
+  for (const Point2& point : before.points) moved.points.push_back(seen_after(point));
+  return moved;
+}
+
 double half_of_gap(std::vector<Pose2> ways, double distance) {
   std::sort(ways.begin(), ways.end(),
             [&](const Pose2& a, const Pose2& b) { return displacement(a, distance) < displacement(b, distance); });

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "../path/obstacles.hpp"
 #include "../path/twist.hpp"
 
 namespace safety_control_cloud {
@@ -56,6 +57,9 @@ class SeenAfter {
   Point2 place_;
   Turn back_;
 };
+
+/// The same of obstacles; their widening is left to whoever asks.
+Obstacles seen_after(const Pose2& way, const Obstacles& before);
 
 /// [m] that a point at this distance from the robot moves at most, seen from it.
 inline double displacement(const Pose2& way, double distance) {
