@@ -81,10 +81,12 @@ std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origi
   Origin facing = origin;
   if (const auto* placement = std::get_if<Placement>(&origin.placing))
     facing.placing = in_turned_frame(*placement, facing_);
-  sensor_.see(reading, facing, now);
+  const auto outlook = outlook_of(straight_, origin.placing);
+  if (const auto* placed = std::get_if<Outlook>(&outlook)) around_.begin(*placed);
+  sensor_.see(reading, facing, now, Crop::Skip, [this](const Run& run) { around_.take(run); });
   if (!std::holds_alternative<Seen>(sensor_.answer())) return std::nullopt;
   was_sound_ = true;
-  return take(reading, origin, now, given);
+  return take(reading, origin, std::get<Outlook>(outlook), now, given);  // there is, or nothing were seen
 }
 
 /// A scan looks to all sides.
@@ -99,10 +101,10 @@ void GuardSensor::face(const Reading& reading, const Placing& placing) {
   sensor_.adopt(sensor_settings(own_, facing_));
 }
 
-Look GuardSensor::take(const Reading& reading, const Origin& origin, const Instant& now, const Given& given) {
-  const Outlook outlook = std::get<Outlook>(outlook_of(straight_, origin.placing));  // there is, or nothing were seen
+Look GuardSensor::take(const Reading& reading, const Origin& origin, const Outlook& outlook, const Instant& now,
+                       const Given& given) {
   const View view = view_in(reading, straight_);
-  around_.look(view, outlook);
+  around_.finish();
   const double stamp = taken_at(origin, now), on_its_way = now.ros - stamp;
   const auto* scan = std::get_if<ScanView>(&reading);
   const FieldOfView field = scan ? FieldOfView{} : field_in(view);

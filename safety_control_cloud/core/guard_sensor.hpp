@@ -91,7 +91,8 @@ class GuardSensor {
 
   const Loss* loss() const;
   void face(const Reading& reading, const Placing& placing);
-  Look take(const Reading& reading, const Origin& origin, const Instant& now, const Given& given);
+  Look take(const Reading& reading, const Origin& origin, const Outlook& outlook, const Instant& now,
+            const Given& given);
   std::vector<Pose2> ways_since_look(const Instant& now, const Odometry& odometry, const Given& given) const;
 
   SensorSettings about_;

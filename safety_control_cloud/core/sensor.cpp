@@ -30,6 +30,11 @@ Returned returned_in(const View& view, const Sight& counted) {
   return {counted.returns, counted.total, height_of(view) > 1};
 }
 
+void for_each_run(const View& view, const Alongside& visit) {
+  const Runs runs(view);
+  for (std::size_t i = 0; i < runs.size(); ++i) visit(runs[i]);
+}
+
 }  // namespace
 
 Sensor::Sensor(const Settings& settings) : settings_(settings), near_loss_(settings.near_loss) {}
@@ -46,10 +51,11 @@ void Sensor::forget_losses() {
   blind_.forget();
 }
 
-void Sensor::see(const Reading& reading, const Origin& origin, const Instant& now, Crop crop) {
+void Sensor::see(const Reading& reading, const Origin& origin, const Instant& now, Crop crop,
+                 const Alongside& alongside) {
   last_arrival_ = now.steady;
   counted_ = Sight{};
-  answer_ = answer_to(reading, origin, now, crop);
+  answer_ = answer_to(reading, origin, now, crop, alongside);
 }
 
 void Sensor::wait(const Instant& now) {
@@ -64,7 +70,8 @@ void Sensor::wait(const Instant& now) {
   answer_ = *std::move(doubt);
 }
 
-Answer Sensor::answer_to(const Reading& reading, const Origin& origin, const Instant& now, Crop crop) {
+Answer Sensor::answer_to(const Reading& reading, const Origin& origin, const Instant& now, Crop crop,
+                         const Alongside& alongside) {
   auto jump = clock_.note(now.ros);
   if (jump) stamps_.forget();
   if (auto doubt = sources_.note(origin.source, now.steady, settings_.source_timeout)) return *std::move(doubt);
@@ -73,13 +80,19 @@ Answer Sensor::answer_to(const Reading& reading, const Origin& origin, const Ins
   if (auto doubt = stamps_.note(now.ros - origin.stamp, now.steady, settings_)) return *std::move(doubt);
   const auto outlook = outlook_of(settings_, origin.placing);
   if (const auto* missing = std::get_if<NoTransform>(&outlook)) return Doubt{Cause::NoTransform, missing->reason};
-  return look_at(reading, std::get<Outlook>(outlook), origin, now.steady, crop);
+  return look_at(reading, std::get<Outlook>(outlook), origin, now.steady, crop, alongside);
 }
 
-Answer Sensor::look_at(const Reading& reading, const Outlook& outlook, const Origin& origin, double now, Crop crop) {
+Answer Sensor::look_at(const Reading& reading, const Outlook& outlook, const Origin& origin, double now, Crop crop,
+                       const Alongside& alongside) {
   const View view = view_in(reading, settings_);
-  const auto look_by = settings_.method == Method::Pcl ? passthrough : look;
-  counted_ = look_by(view, outlook, crop, near_loss_.rows_for(view));
+  const Rows rows = near_loss_.rows_for(view);
+  if (settings_.method == Method::Pcl) {
+    counted_ = passthrough(view, outlook, crop, rows);
+    if (alongside) for_each_run(view, alongside);
+  } else {
+    counted_ = look_alongside(view, outlook, crop, rows, alongside);
+  }
   if (auto doubt = turns_.note(picture_of(counted_, origin), now, settings_.source_timeout)) return *std::move(doubt);
   if (auto doubt = blind_.note(returned_in(view, counted_), settings_, now)) return *std::move(doubt);
   const auto* scan = std::get_if<ScanView>(&reading);

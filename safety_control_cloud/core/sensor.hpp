@@ -13,6 +13,7 @@
 #include "doubt/stamps.hpp"
 #include "doubt/turns.hpp"
 #include "input/reading.hpp"
+#include "look/look.hpp"
 #include "look/placement.hpp"
 #include "look/sight.hpp"
 #include "memory/near_loss.hpp"
@@ -53,8 +54,9 @@ class Sensor {
   /// Goes on with other settings.
   void adopt(const Settings& settings);
 
-  /// A reading has come, readable or not.
-  void see(const Reading& reading, const Origin& origin, const Instant& now, Crop crop = Crop::Skip);
+  /// A reading has come, readable or not. `alongside`: what else is done with its points, if it is looked at.
+  void see(const Reading& reading, const Origin& origin, const Instant& now, Crop crop = Crop::Skip,
+           const Alongside& alongside = nullptr);
 
   /// None has come until `now`.
   void wait(const Instant& now);
@@ -79,8 +81,10 @@ class Sensor {
   }
 
  private:
-  Answer answer_to(const Reading& reading, const Origin& origin, const Instant& now, Crop crop);
-  Answer look_at(const Reading& reading, const Outlook& outlook, const Origin& origin, double now, Crop crop);
+  Answer answer_to(const Reading& reading, const Origin& origin, const Instant& now, Crop crop,
+                   const Alongside& alongside);
+  Answer look_at(const Reading& reading, const Outlook& outlook, const Origin& origin, double now, Crop crop,
+                 const Alongside& alongside);
 
   Settings settings_;
   SourceWatch sources_;

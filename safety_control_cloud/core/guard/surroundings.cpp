@@ -5,8 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "../look/inside.hpp"
-
 namespace safety_control_cloud {
 namespace {
 
@@ -15,54 +13,55 @@ constexpr double finest = 0.004;          ///< [m] of the innermost cells
 constexpr double across_finest = 512.0;   ///< of them at most, from side to side
 constexpr double across_coarser = 256.0;  ///< cells
 
-/// The band out to so far [m] to all sides, and a little more, as a corridor that begins behind all of it: what is not
-/// in there is left out many points at a time.
-Outlook around(const Outlook& outlook, const Band& band, double extent) {
-  constexpr double little = 1e-3;  // [m], more than float32 takes away
-  Outlook all = outlook;
-  all.corridor.x_min = static_cast<float>(-extent - little), all.corridor.x_max = static_cast<float>(extent + little);
-  all.corridor.y_min = static_cast<float>(-band.top - little);
-  all.corridor.y_max = static_cast<float>(-band.bottom + little);
-  all.placement = outlook.placement.value_or(Placement{});
-  all.placement->rows[2][3] += static_cast<float>(extent + 1.0);
-  return all;
+std::vector<Cells::Square> squares_of(const Outline& outline, double reach) {
+  const double inner = outline.reach() + outline.margin() + near, middle = 2.0 * inner + 0.5;
+  const double outer = std::max(reach, middle + near);
+  return {{inner, std::max(finest, 2.0 * inner / across_finest)},
+          {middle, 2.0 * middle / across_coarser},
+          {outer, 2.0 * outer / across_coarser}};
+}
+
+/// The band out to so far [m] to all sides.
+Region region_of(const Band& band, double extent) {
+  const auto out = static_cast<float>(extent);
+  return {-out, out, -static_cast<float>(band.top), -static_cast<float>(band.bottom), -out, out};
 }
 
 }  // namespace
 
 Surroundings::Surroundings(const Outline& outline, Band band)
-    : band_(std::move(band)), bottom_(static_cast<float>(band_.bottom)), top_(static_cast<float>(band_.top)) {
-  const double inner = outline.reach() + outline.margin() + near, middle = 2.0 * inner + 0.5;
-  const double outer = std::max(band_.reach, middle + near);
-  cells_.emplace_back(inner, std::max(finest, 2.0 * inner / across_finest));
-  cells_.emplace_back(middle, 2.0 * middle / across_coarser);
-  cells_.emplace_back(outer, 2.0 * outer / across_coarser);
-  for (const Cells& cells : cells_) rings_.push_back({cells.extent(), {}});
+    : band_(std::move(band)), cells_(squares_of(outline, band_.reach)) {
+  for (const Cells::Square& square : squares_of(outline, band_.reach)) rings_.push_back({square.extent, {}});
+  region_ = region_of(band_, rings_.back().extent);
 }
 
-inline void Surroundings::add(float forward, float left, float up) {
-  if (up < bottom_ || up > top_ || is_own(band_.self, forward, left, up)) return;
-  for (Cells& cells : cells_) {
-    if (!cells.holds(forward, left)) continue;
-    cells.add(forward, left);
-    return;
-  }
+void Surroundings::begin(const Outlook& outlook) {
+  outlook_ = outlook;
+  cells_.clear();
 }
 
-void Surroundings::look(const View& view, const Outlook& outlook) {
-  for (Cells& cells : cells_) cells.clear();
-  const Outlook all = around(outlook, band_, cells_.back().extent());
-  choose_inside(view, all, [&](const Chosen& inside, const Run& run) {
-    for_each_of(inside, run, [&](float x, float y, float z) {
-      const Point placed = outlook.placed(x, y, z);
-      add(placed.z, -placed.x, -placed.y);
-    });
-  });
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
+void Surroundings::take(const Run& run) {
+  gather(run, outlook_, region_, places_);
+  if (!band_.self.empty()) leave_out_own();
+  cells_.add(places_);
+}
+
+void Surroundings::finish() {
+  for (std::size_t i = 0; i < rings_.size(); ++i) {
     Obstacles& obstacles = rings_[i].obstacles;
-    cells_[i].write(obstacles);
+    cells_.write(i, obstacles);
     rings_[i].returns = std::accumulate(obstacles.counts.begin(), obstacles.counts.end(), std::size_t{0});
   }
+}
+
+void Surroundings::leave_out_own() {
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < places_.size; ++i) {
+    const float x = places_.x[i], y = places_.y[i], z = places_.z[i];
+    places_.x[size] = x, places_.y[size] = y, places_.z[size] = z;
+    size += is_own(band_.self, z, -x, -y) ? 0 : 1;
+  }
+  places_.size = size;
 }
 
 }  // namespace safety_control_cloud

@@ -3,8 +3,9 @@
 
 #include <vector>
 
-#include "../input/view.hpp"
+#include "../input/runs.hpp"
 #include "../look/outlook.hpp"
+#include "../look/places.hpp"
 #include "../path/obstacles.hpp"
 #include "../path/outline.hpp"
 #include "cells.hpp"
@@ -26,24 +27,31 @@ struct Ring {
 };
 
 /// What one look shows around the robot, from above, at its places when it was taken. One pass over the points, into
-/// memory of one's own.
+/// memory of one's own: in runs, so that it goes alongside another's.
 class Surroundings {
  public:
   Surroundings(const Outline& outline, Band band);
 
-  /// The points of a view whose camera is placed in base_frame; what was seen before is forgotten.
-  void look(const View& view, const Outlook& outlook);
+  /// A look begins, of a camera that is placed so in base_frame.
+  void begin(const Outlook& outlook);
+
+  /// The next run of its points.
+  void take(const Run& run);
+
+  /// All that was taken since it began is what is around the robot from now on; what was before is forgotten.
+  void finish();
 
   /// From the innermost, which holds all that is inside the margin, cell by cell of a few millimetres.
   const std::vector<Ring>& rings() const { return rings_; }
 
  private:
-  /// A return in base_frame, if it counts.
-  void add(float forward, float left, float up);
+  void leave_out_own();
 
   Band band_;
-  float bottom_, top_;  ///< the band's
-  std::vector<Cells> cells_;
+  Region region_;
+  Outlook outlook_;
+  Places places_;  ///< of a run
+  Cells cells_;
   std::vector<Ring> rings_;
 };
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "inside.hpp"
+#include "../input/point_reader.hpp"
 #include "kernel/scan.hpp"
 #include "nearest.hpp"
 
@@ -14,26 +14,32 @@ namespace safety_control_cloud {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr std::size_t cached_runs = 4;  ///< at most 128 KB of 32 bytes a point
 
 /// Calls visit(x, y, z) for the points inside a run, in the cloud's frame.
 template <class Visit>
 void for_each_inside(const Run& run, const Outlook& outlook, Visit visit) {
   const Inside inside = inside_of(run, outlook);
-  for_each_of({inside.columns.data(), inside.size}, run, visit);
+  with_reader(run.points, [&](auto reader) {
+    for (std::size_t i = 0; i < inside.size; ++i) reader(0, inside.columns[i], visit);
+  });
 }
 
-/// scan(), and each run's points inside while the run is still in the cache.
-Counts scan_and_crop(const Runs& runs, const Outlook& outlook, float* nearest, Cloud& crop) {
+/// scan(), and take(i) for each run i while that is still in the cache.
+template <class Take>
+Counts scan_and_take(const Runs& runs, const Outlook& outlook, float* nearest, Take take) {
   Counts all;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const Counts counts = scan(runs, i, i + 1, outlook, nearest);
-    all += counts;
-    if (counts.inside == 0) continue;
-    for_each_inside(runs[i], outlook, [&](float x, float y, float z) { crop.points.emplace_back(x, y, z); });
+  for (std::size_t begin = 0; begin < runs.size(); begin += cached_runs) {
+    const std::size_t end = std::min(begin + cached_runs, runs.size());
+    all += scan(runs, begin, end, outlook, nearest);
+    for (std::size_t i = begin; i < end; ++i) take(i);
   }
-  crop.width = static_cast<std::uint32_t>(crop.size());
-  crop.height = 1;
   return all;
+}
+
+void add_inside(const Run& run, const Outlook& outlook, Cloud& crop) {
+  for_each_inside(run, outlook, [&](float x, float y, float z) { crop.points.emplace_back(x, y, z); });
+  crop.width = static_cast<std::uint32_t>(crop.size());
 }
 
 /// The points among which the `rank`-th nearest is, in the cloud's order, taken from few runs: from those that come
@@ -78,22 +84,20 @@ std::vector<float> by_rows(std::vector<float> runs, std::size_t rows) {
 
 }  // namespace
 
-void choose_inside(const View& view, const Outlook& outlook,
-                   const std::function<void(const Chosen& inside, const Run& run)>& take) {
-  const Runs runs(view);
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const Run run = runs[i];
-    const Inside inside = inside_of(run, outlook);
-    take({inside.columns.data(), inside.size}, run);
-  }
+Sight look(const View& view, const Outlook& outlook, Crop crop, Rows rows) {
+  return look_alongside(view, outlook, crop, rows, nullptr);
 }
 
-Sight look(const View& view, const Outlook& outlook, Crop crop, Rows rows) {
+Sight look_alongside(const View& view, const Outlook& outlook, Crop crop, Rows rows, const Alongside& alongside) {
   const Runs runs(view, rows);
   std::vector<float> nearest(runs.size());
-  const Cloud::Ptr points(crop == Crop::Keep ? new Cloud : nullptr);
-  const Counts counts = points ? scan_and_crop(runs, outlook, nearest.data(), *points)
-                               : scan(runs, 0, runs.size(), outlook, nearest.data());
+  const Cloud::Ptr points(crop == Crop::Keep ? new Cloud(0, 1) : nullptr);
+  const auto take = [&](std::size_t i) {
+    if (points && nearest[i] < infinity) add_inside(runs[i], outlook, *points);
+    if (alongside) alongside(runs[i]);
+  };
+  const Counts counts = points || alongside ? scan_and_take(runs, outlook, nearest.data(), take)
+                                            : scan(runs, 0, runs.size(), outlook, nearest.data());
   Sight sight;
   sight.nearest = nearest_in(runs, nearest, counts, outlook);
   sight.inside = counts.inside;

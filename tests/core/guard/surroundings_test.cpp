@@ -15,6 +15,13 @@
 namespace safety_control_cloud {
 namespace {
 
+void look(Surroundings& seen, const std::vector<Xyz>& points, const Outlook& outlook) {
+  const Runs runs(view_of(points));
+  seen.begin(outlook);
+  for (std::size_t i = 0; i < runs.size(); ++i) seen.take(runs[i]);
+  seen.finish();
+}
+
 /// Points of base_frame, whose optical frame lies in its origin: x = -left, y = -up, z = forward.
 Xyz at(float forward, float left, float up) { return {-left, -up, forward}; }
 
@@ -32,7 +39,7 @@ TEST(Surroundings, WhatLiesOutsideTheBandDoesNotCount) {
   Surroundings seen = around();
   const std::vector<Xyz> points = {at(1, 0, 0.04f), at(1, 0, 0.05f), at(1, 0, 0.55f), at(1, 0, 0.56f),
                                    at(1, 5, 0.3f),  {nan, nan, nan}, {0, 0, inf},     at(3, 3, 0.3f)};
-  seen.look(view_of(points), in_origin());
+  look(seen, points, in_origin());
   EXPECT_EQ(returns_in(seen), 3u);
 }
 
@@ -63,9 +70,9 @@ TEST(Surroundings, CountsToAllSidesWhatPointByPointCounts) {
     for (int row = 0; row < 3; ++row)
       for (int column = 0; column < 3; ++column) outlook.placement->rows[row][column] = turned(row, column);
     Surroundings seen = around();
-    seen.look(view_of(points), outlook);
+    look(seen, points, outlook);
     EXPECT_EQ(returns_in(seen), counted_one_by_one(points, outlook, seen));
-    seen.look(view_of(points), {outlook.corridor, std::nullopt});
+    look(seen, points, {outlook.corridor, std::nullopt});
     EXPECT_EQ(returns_in(seen), counted_one_by_one(points, {outlook.corridor, std::nullopt}, seen));
   }
 }
@@ -73,16 +80,16 @@ TEST(Surroundings, CountsToAllSidesWhatPointByPointCounts) {
 TEST(Surroundings, WhatIsOfTheRobotItselfIsCutOut) {
   Surroundings seen = around({{0.9, 1.1, -0.1, 0.1, 0.2, 0.4}});
   const std::vector<Xyz> points = {at(1, 0, 0.3f), at(1, 0, 0.5f), at(1, 0.2f, 0.3f)};
-  seen.look(view_of(points), in_origin());
+  look(seen, points, in_origin());
   EXPECT_EQ(returns_in(seen), 2u);
 }
 
 TEST(Surroundings, EachLookForgetsTheOneBefore) {
   Surroundings seen = around();
   const std::vector<Xyz> some = {at(1, 0, 0.3f), at(0.3f, 0, 0.3f), at(3, 0, 0.3f)}, none = {at(1, 0, 3.0f)};
-  seen.look(view_of(some), in_origin());
+  look(seen, some, in_origin());
   EXPECT_EQ(returns_in(seen), 3u);
-  seen.look(view_of(none), in_origin());
+  look(seen, none, in_origin());
   EXPECT_EQ(returns_in(seen), 0u);
   EXPECT_TRUE(seen.rings().front().obstacles.points.empty());
 }
@@ -93,7 +100,7 @@ TEST(Surroundings, NoReturnIsFartherFromItsPointThanIsSaid) {
   std::vector<Xyz> points;
   for (int i = 0; i < 20000; ++i) points.push_back(at(ahead(random), beside(random), 0.3f));
   Surroundings seen = around();
-  seen.look(view_of(points), in_origin());
+  look(seen, points, in_origin());
   EXPECT_EQ(returns_in(seen), points.size());
   EXPECT_LE(seen.rings().front().obstacles.widening, 0.004);
   for (std::size_t i = 0; i < points.size(); i += 37) {
@@ -110,7 +117,7 @@ TEST(Surroundings, NoReturnIsFartherFromItsPointThanIsSaid) {
 TEST(Surroundings, AllThatIsInsideTheMarginLiesInTheInnermostRing) {
   Surroundings seen = around();
   const std::vector<Xyz> points = {at(0.2f, 0.1f, 0.3f), at(0.01f, -0.24f, 0.3f), at(0.6f, 0, 0.3f)};
-  seen.look(view_of(points), in_origin());
+  look(seen, points, in_origin());
   EXPECT_EQ(seen.rings().front().returns, 2u);
 }
 

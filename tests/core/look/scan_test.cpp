@@ -69,6 +69,39 @@ TEST_P(InstructionSet, CountsAndListsWhatEachPointMeans) {
   }
 }
 
+bool holds(const Region& region, const Point& placed) {
+  return placed.x >= region.x_min && placed.x <= region.x_max && placed.y >= region.y_min && placed.y <= region.y_max &&
+         placed.z >= region.z_min && placed.z <= region.z_max;
+}
+
+/// Behind the camera too.
+TEST_P(InstructionSet, GathersWhereEachReturnOfARegionLies) {
+  const Region region{-1.5f, 1.0f, -0.6f, 0.3f, -2.5f, 3.0f};
+  std::size_t gathered = 0;
+  for (std::uint64_t seed = 0; seed < clouds / 10; ++seed) {
+    const RandomCloud cloud(seed);
+    const Outlook outlook(cloud.corridor, cloud.placement);
+    const Runs runs(cloud.view, cloud.rows);
+    Places places;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      gather(runs[i], outlook, region, places);
+      std::size_t found = 0;
+      for_each_point(runs[i].points, [&](float x, float y, float z) {
+        if (!is_return(x, y, z, outlook.corridor) || !holds(region, outlook.placed(x, y, z))) return;
+        const Point place = outlook.placed(x, y, z);
+        ASSERT_LT(found, places.size) << "seed " << seed;
+        ASSERT_EQ(places.x[found], place.x) << "seed " << seed;
+        ASSERT_EQ(places.y[found], place.y) << "seed " << seed;
+        ASSERT_EQ(places.z[found], place.z) << "seed " << seed;
+        ++found;
+      });
+      ASSERT_EQ(places.size, found) << "seed " << seed;
+      gathered += found;
+    }
+  }
+  EXPECT_GT(gathered, clouds);
+}
+
 TEST_P(InstructionSet, ACloudMayBeginAtAnyAddress) {
   for (std::uint64_t seed = 0; seed < clouds / 10; ++seed) {
     const RandomCloud cloud(seed);
@@ -88,6 +121,20 @@ TEST_P(InstructionSet, AskingForTheCropDoesNotChangeWhatIsSeen) {
     Sight with = seen_by(look, cloud.view, cloud, Crop::Keep), without = seen_by(look, cloud.view, cloud, Crop::Skip);
     with.crop.reset();
     ASSERT_TRUE(same(with, without)) << "seed " << seed;
+  }
+}
+
+TEST_P(InstructionSet, WhatGoesAlongsideTakesEachRunAndChangesNothing) {
+  for (std::uint64_t seed = 0; seed < clouds / 10; ++seed) {
+    const RandomCloud cloud(seed);
+    const Outlook outlook(cloud.corridor, cloud.placement);
+    std::vector<std::size_t> firsts, expected;
+    const Runs runs(cloud.view, cloud.rows);
+    for (std::size_t i = 0; i < runs.size(); ++i) expected.push_back(runs[i].first);
+    const Sight with = look_alongside(cloud.view, outlook, Crop::Keep, cloud.rows,
+                                      [&firsts](const auto& run) { firsts.push_back(run.first); });
+    ASSERT_TRUE(same(with, look(cloud.view, outlook, Crop::Keep, cloud.rows))) << "seed " << seed;
+    ASSERT_EQ(firsts, expected) << "seed " << seed;
   }
 }
 

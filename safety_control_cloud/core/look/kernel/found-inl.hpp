@@ -9,6 +9,7 @@
 #endif
 
 #include "../outlook.hpp"
+#include "../places.hpp"
 #include "vectors-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -88,6 +89,26 @@ HWY_INLINE Mask is_too_close(const Points& points, const Walls& walls, bool anyw
   const Mask y_maybe = hn::Or(y_within, hn::Not(hn::IsFinite(points.y)));
   return hn::And(at_minus_infinity, hn::And(x_maybe, y_maybe));
 }
+
+/// A region in every lane.
+struct Bounds {
+  Float x_min, x_max, y_min, y_max, z_min, z_max;
+
+  explicit HWY_INLINE Bounds(const Region& region)
+      : x_min(all(region.x_min)),
+        x_max(all(region.x_max)),
+        y_min(all(region.y_min)),
+        y_max(all(region.y_max)),
+        z_min(all(region.z_min)),
+        z_max(all(region.z_max)) {}
+
+  HWY_INLINE Mask hold(const Points& placed) const {
+    const Mask across = hn::And(hn::Ge(placed.x, x_min), hn::Le(placed.x, x_max));
+    const Mask down = hn::And(hn::Ge(placed.y, y_min), hn::Le(placed.y, y_max));
+    const Mask along = hn::And(hn::Ge(placed.z, z_min), hn::Le(placed.z, z_max));
+    return hn::And(across, hn::And(down, along));
+  }
+};
 
 /// Points, in the corridor's axes, and which of them are what.
 struct Found {

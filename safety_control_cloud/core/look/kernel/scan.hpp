@@ -9,6 +9,7 @@
 
 #include "../../input/runs.hpp"
 #include "../outlook.hpp"
+#include "../places.hpp"
 
 namespace safety_control_cloud {
 

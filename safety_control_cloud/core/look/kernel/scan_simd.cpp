@@ -25,7 +25,7 @@ namespace safety_control_cloud {
 namespace HWY_NAMESPACE {
 namespace {
 
-static_assert(lanes <= Inside::longest_vector);
+static_assert(lanes <= Inside::longest_vector && lanes <= Places::longest_vector);
 
 /// Counts, and finds the nearest.
 template <class Placing>
@@ -96,6 +96,31 @@ struct Listing {
   }
 };
 
+/// Lists where the returns in a region lie.
+template <class Placing>
+struct Gathering {
+  static constexpr std::size_t at_once = lanes;
+
+  Walls walls;
+  Bounds bounds;
+  Placing place;
+  Places* found;
+  std::size_t size = 0;
+
+  HWY_INLINE Gathering(const Outlook& outlook, const Region& region, Places& places)
+      : walls(outlook.corridor), bounds(region), place(outlook), found(&places) {}
+
+  template <class Source>
+  HWY_INLINE void take(const Source& source, std::size_t from, std::size_t) {
+    const Points points = source.at(from), placed = place(points);
+    const Mask within = hn::And(is_return(points, walls), bounds.hold(placed));
+    if (hn::AllFalse(Floats(), within)) return;
+    hn::CompressStore(placed.x, within, Floats(), found->x.data() + size);
+    hn::CompressStore(placed.y, within, Floats(), found->y.data() + size);
+    size += hn::CompressStore(placed.z, within, Floats(), found->z.data() + size);
+  }
+};
+
 std::size_t too_close_in(const Run& run, const Outlook& outlook) {
   CountingTooClose counting(outlook);
   visit_run(run, counting);
@@ -135,6 +160,18 @@ Inside inside_of(const Run& run, const Outlook& outlook) {
   return found;
 }
 
+template <class Placing>
+void gather_placing(const Run& run, const Outlook& outlook, const Region& region, Places& places) {
+  Gathering<Placing> gathering(outlook, region, places);
+  visit_run(run, gathering);
+  places.size = gathering.size;
+}
+
+void gather(const Run& run, const Outlook& outlook, const Region& region, Places& places) {
+  outlook.placement ? gather_placing<Placed>(run, outlook, region, places)
+                    : gather_placing<Unplaced>(run, outlook, region, places);
+}
+
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace safety_control_cloud
@@ -146,12 +183,17 @@ namespace safety_control_cloud {
 
 HWY_EXPORT(scan);
 HWY_EXPORT(inside_of);
+HWY_EXPORT(gather);
 
 Counts scan(const Runs& runs, std::size_t begin, std::size_t end, const Outlook& outlook, float* nearest) {
   return HWY_DYNAMIC_DISPATCH(scan)(runs, begin, end, outlook, nearest);
 }
 
 Inside inside_of(const Run& run, const Outlook& outlook) { return HWY_DYNAMIC_DISPATCH(inside_of)(run, outlook); }
+
+void gather(const Run& run, const Outlook& outlook, const Region& region, Places& places) {
+  HWY_DYNAMIC_DISPATCH(gather)(run, outlook, region, places);
+}
 
 std::vector<std::string> instruction_sets() {
   std::vector<std::string> names;
