@@ -27,10 +27,19 @@ stage() {
     env DESTDIR="$stage" cmake --install build/package --strip
   find "$stage" -name __pycache__ -prune -exec rm -r {} +
   find "$stage" -type d -empty -delete  # the pictures in it are left out
+  if [[ $prefix == /usr ]]; then place_nodelet; fi
   local documents=$stage/usr/share/doc/$name
   mkdir -p "$documents"
   cp LICENSE "$documents/copyright"
   gzip -9n <CHANGELOG.rst >"$documents/changelog.gz"
+}
+
+# In Debian nobody sets CMAKE_PREFIX_PATH, and its pluginlib looks beside the libraries; Debian 11's looks there alone.
+place_nodelet() {
+  local library
+  library=$(find "$stage/usr/lib" -name libsafety_control_nodelet.so)
+  mkdir "${library%/*}/ros"
+  mv "$library" "${library%/*}/ros/"
 }
 
 # Debian's Python keeps what it compiled beside the sources, and who removes the package removes that.

@@ -109,6 +109,14 @@ def test_each_program_is_in_it_and_can_be_run(files, prefix):
         assert files[f"{prefix}/lib/safety_control_cloud/{name}"].stat().st_mode & 0o555 == 0o555
 
 
+def test_the_nodelet_lies_where_the_systems_pluginlib_looks(files, prefix):
+    """Such as rviz's own plugins."""
+    beside = [path.parent for path in (Path("/") / prefix / "lib").rglob("librviz_default_plugin.so")]
+    if not beside:
+        pytest.skip("rviz is not installed here")
+    assert [name for name in files if name.endswith("libsafety_control_nodelet.so")] == [f"{beside[0]}/libsafety_control_nodelet.so"[1:]]
+
+
 def test_nothing_of_the_build_or_the_tests_is_in_it(files):
     assert [name for name in files if OF_TESTS.search(name) or name.endswith((".pyc", ".o", ".a", ".log"))] == []
     outside = [name for name in files if not name.startswith(("usr/", "opt/ros/"))]
