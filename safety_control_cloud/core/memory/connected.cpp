@@ -2,76 +2,90 @@
 #include "connected.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace safety_control_cloud {
-namespace {
-
-/// Pixels that return nothing, or are mixed of two ranges, do not part a thing: as many slots and lines.
-constexpr std::size_t gap = 2;
-
-}  // namespace
 
 Connected::Connected(const NearPixels& found, float jump) : found_(found), jump_(jump) {
   connect();
   things_ = together();
 }
 
-/// With what lies to the left of each pixel, and above it.
+/// With what lies to the left of each pixel, and above it. What is connected along a line is one run, so that runs are
+/// joined and not every pixel.
 void Connected::connect() {
-  const std::size_t size = found_.pixels.size();
+  const auto size = static_cast<Index>(found_.pixels.size());
   touched_.assign(size, 0);
   run_.resize(size);
   ahead_.resize(size);
-  for (Index i = 0; i < size; ++i) ahead_[i] = found_.pixels[i].ahead;
+  slot_.resize(size);
+  for (Index i = 0; i < size; ++i) {
+    ahead_[i] = found_.pixels[i].ahead;
+    slot_[i] = found_.pixels[i].slot;
+  }
   std::array<Line, gap + 1> lines;  // the latest first
   for (Line& line : lines) line.at.assign(found_.slots + 2, no_index);
   Index end = 0;
   for (Index begin = 0; begin < size; begin = end) {
+    const std::uint16_t line = found_.pixels[begin].line;
+    while (end < size && found_.pixels[end].line == line) ++end;
     std::rotate(lines.begin(), lines.end() - 1, lines.end());
-    while (end < size && found_.pixels[end].line == found_.pixels[begin].line) ++end;
-    lines[0].row = found_.rows[found_.pixels[begin].line];
+    lines[0].row = found_.rows[line];
     std::fill(lines[0].at.begin(), lines[0].at.end(), no_index);
-    for (Index i = begin; i < end; ++i) connect_left(i, begin);
-    for (Index i = begin; i < end; ++i) {
-      lines[0].at[found_.pixels[i].slot + std::size_t{1}] = i;
-      for (std::size_t up = 1; up <= gap && !connect_up(i, lines[0], lines[up]); ++up) {
+    connect_along(begin, end);
+    Index* const at = lines[0].at.data() + 1;
+    for (Index i = begin; i < end; ++i) at[slot_[i]] = i;
+    connect_up(begin, end, lines);
+  }
+}
+
+/// Each of a line to the nearest to its left that is as far ahead.
+void Connected::connect_along(Index begin, Index end) {
+  const float* const ahead = ahead_.data();
+  const std::uint16_t* const slot = slot_.data();
+  Index* const run = run_.data();
+  std::uint8_t* const touched = touched_.data();
+  for (Index i = begin; i < end; ++i) {
+    Index left = no_index;
+    for (Index j = i; left == no_index && j-- > begin && slot[j] + gap >= slot[i];)
+      if (std::abs(ahead[i] - ahead[j]) <= jump_) left = j;
+    if (left == no_index) {
+      run[i] = runs_.add();
+      continue;
+    }
+    touched[i] |= Left, touched[left] |= Right;
+    run[i] = run[left];
+  }
+}
+
+/// Each to what is straight above and as far ahead, or else to both beside that, or else to the same of the line above.
+void Connected::connect_up(Index begin, Index end, const std::array<Line, gap + 1>& lines) {
+  const float* const ahead = ahead_.data();
+  const Index* const run = run_.data();
+  std::uint8_t* const touched = touched_.data();
+  Index one = no_index, other = no_index;  // runs, the latest that were joined
+  const auto goes_on = [&](Index i, Index j) { return j != no_index && std::abs(ahead[i] - ahead[j]) <= jump_; };
+  const auto join = [&](Index i, Index j) {
+    if (run[i] == one && run[j] == other) return;
+    one = run[i], other = run[j];
+    runs_.join(one, other);
+  };
+  std::size_t above = 0;
+  while (above < gap && lines[0].row - lines[above + 1].row <= gap * found_.row_step) ++above;
+  for (Index i = begin; i < end; ++i) {
+    for (std::size_t up = 1; up <= above; ++up) {
+      const Index* const over = lines[up].at.data() + 1 + slot_[i];
+      if (goes_on(i, over[0])) {
+        touched[i] |= Above, touched[over[0]] |= Below;
+        join(i, over[0]);
+        break;
       }
+      const bool left = goes_on(i, over[-1]), right = goes_on(i, over[1]);
+      if (left) join(i, over[-1]);
+      if (right) join(i, over[1]);
+      if (left || right) break;
     }
   }
-}
-
-/// What is connected along a line, from `begin` on, is one run, so that runs are joined and not every pixel.
-void Connected::connect_left(Index i, Index begin) {
-  const auto& pixels = found_.pixels;
-  for (Index j = i; j-- > begin && pixels[j].slot + gap >= pixels[i].slot;) {
-    if (!go_on(i, j)) continue;
-    touched_[i] |= Left, touched_[j] |= Right;
-    run_[i] = run_[j];
-    return;
-  }
-  run_[i] = runs_.add();
-}
-
-/// Whether something in a line above that of a pixel is the same thing.
-bool Connected::connect_up(Index i, const Line& own, const Line& line) {
-  if (own.row - line.row > gap * found_.row_step) return false;
-  const Index* const over = line.at.data() + found_.pixels[i].slot + 1;
-  if (try_join(i, over[0])) {
-    touched_[i] |= Above, touched_[over[0]] |= Below;
-    return true;
-  }
-  const bool left = try_join(i, over[-1]), right = try_join(i, over[1]);
-  return left || right;
-}
-
-bool Connected::try_join(Index i, Index j) {
-  if (j == no_index || !go_on(i, j)) return false;
-  const std::pair<Index, Index> both{run_[i], run_[j]};
-  if (both != joined_) runs_.join(both.first, both.second);
-  joined_ = both;
-  return true;
 }
 
 /// Those that are one, by the first of each.

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
+#include <array>
 #include <cstdint>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include "near_pixels.hpp"
@@ -60,20 +59,22 @@ class Connected {
     Members at = {};
   };
 
+  /// Pixels that return nothing, or are mixed of two ranges, do not part a thing: as many slots and lines.
+  static constexpr std::size_t gap = 2;
+
   void connect();
+  void connect_along(Index begin, Index end);
+  void connect_up(Index begin, Index end, const std::array<Line, gap + 1>& lines);
   std::vector<Members> together();
-  void connect_left(Index i, Index begin);
-  bool connect_up(Index i, const Line& own, const Line& line);
-  bool go_on(Index i, Index j) const { return std::abs(ahead_[i] - ahead_[j]) <= jump_; }
-  bool try_join(Index i, Index j);
 
   const NearPixels& found_;
   const float jump_;
-  std::vector<float> ahead_;  ///< of each pixel
   Union runs_;
-  std::vector<Index> run_;                                 ///< of each pixel
-  std::pair<Index, Index> joined_ = {no_index, no_index};  ///< runs, latest
-  std::vector<std::uint8_t> touched_;                      ///< on which sides
+  // Of each pixel.
+  std::vector<float> ahead_;
+  std::vector<std::uint16_t> slot_;
+  std::vector<Index> run_;
+  std::vector<std::uint8_t> touched_;  ///< on which sides
   std::vector<Members> things_;
 };
 

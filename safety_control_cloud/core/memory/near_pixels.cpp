@@ -54,33 +54,28 @@ class Lines {
 
   /// Of a slot's pixels the nearest; the nearest of all.
   float look(std::size_t row, std::size_t step) {
-    const std::size_t begin = found_.pixels.size();
     search_.picture.read(row, step, search_.outlook, places_);
-    float nearest = std::numeric_limits<float>::infinity();
-    for (std::size_t i = 0, hits = list_hits(); i < hits; ++i) {
-      const NearPixel pixel = pixel_at(row, step, hits_[i]);
-      nearest = std::min(nearest, pixel.ahead);
-      const bool first =
-          step > 1 || found_.pixels.size() == begin || found_.pixels.back().slot != pixel.slot;  // of its slot
-      if (!first && !(pixel.ahead < found_.pixels.back().ahead)) continue;
-      if (!first) found_.pixels.pop_back();
-      found_.pixels.push_back(pixel);
-    }
-    return nearest;
-  }
-
-  NearPixel pixel_at(std::size_t row, std::size_t step, std::size_t place) const {
-    const std::size_t column = place * step;
-    const Point point = search_.outlook.placement ? search_.picture.at(row, column)
-                                                  : Point(places_.x[place], places_.y[place], places_.z[place]);
+    const std::size_t hits = list_hits(), begin = found_.pixels.size();
     NearPixel pixel;
     pixel.row = static_cast<std::uint16_t>(row);
-    pixel.column = static_cast<std::uint16_t>(column);
     pixel.line = static_cast<std::uint16_t>(found_.rows.size());
-    pixel.slot = static_cast<std::uint16_t>(step > 1 ? place : column / found_.column_step);
-    pixel.point = point;
-    pixel.ahead = places_.z[place] - camera_.z;
-    return pixel;
+    float nearest = std::numeric_limits<float>::infinity();
+    found_.pixels.resize(begin + hits);
+    NearPixel* const first = found_.pixels.data() + begin;
+    NearPixel* end = first;
+    for (std::size_t i = 0; i < hits; ++i) {
+      const std::size_t place = hits_[i], column = place * step;
+      pixel.column = static_cast<std::uint16_t>(column);
+      pixel.slot = static_cast<std::uint16_t>(step > 1 ? place : column / found_.column_step);
+      pixel.x = places_.x[place], pixel.y = places_.y[place], pixel.ahead = places_.z[place] - camera_.z;
+      nearest = std::min(nearest, pixel.ahead);
+      const bool is_new = step > 1 || end == first || end[-1].slot != pixel.slot;
+      if (!is_new && !(pixel.ahead < end[-1].ahead)) continue;
+      if (is_new) ++end;
+      end[-1] = pixel;
+    }
+    found_.pixels.resize(begin + static_cast<std::size_t>(end - first));
+    return nearest;
   }
 
   /// Which of the places are near, in the corridor: as many. No branch, since which pixels return is as good as random.

@@ -12,14 +12,14 @@ namespace safety_control_cloud {
 struct NearPixel {
   std::uint16_t row, column;
   std::uint16_t line, slot;  ///< among the rows that were looked at, and the columns
-  Point point;               ///< in the cloud's frame
+  float x, y;                ///< [m] in the corridor's axes
   float ahead;               ///< [m] of the camera
 };
 
 /// The near pixels of some rows, row by row.
 struct NearPixels {
   std::vector<NearPixel> pixels;
-  std::vector<std::size_t> rows;  ///< those that were looked at
+  std::vector<std::size_t> rows;  ///< those of them that show any
   std::size_t row_step = 1;       ///< from one to the next, where it does not matter which
   std::size_t column_step = 1;
   std::size_t slots = 0;  ///< a line has

@@ -48,10 +48,10 @@ class Finding {
 
   /// How many of the 3 x 3 pixels around one return, at a range that differs by less than this [m].
   std::uint8_t around(const NearPixel& pixel, float difference) const {
+    const auto ranges = search_.picture.around(pixel.row, pixel.column);
+    const float range = ranges[ranges.size() / 2];
     std::uint8_t count = 0;
-    for (const float z : search_.picture.around(pixel.row, pixel.column)) {
-      count = static_cast<std::uint8_t>(count + (std::abs(z - pixel.point.z) <= difference));
-    }
+    for (const float z : ranges) count = static_cast<std::uint8_t>(count + (std::abs(z - range) <= difference));
     return count;
   }
 
@@ -92,8 +92,8 @@ class Finding {
   Spot spot_at(const NearPixel& pixel) const {
     Spot spot;
     spot.row = pixel.row, spot.column = pixel.column;
-    spot.point = pixel.point;
-    spot.place = placed(pixel.point, search_.outlook);
+    spot.point = search_.picture.at(pixel.row, pixel.column);
+    spot.place = placed(spot.point, search_.outlook);
     spot.axis = axis_;
     spot.company = around(pixel, std::numeric_limits<float>::infinity());
     return spot;
@@ -101,12 +101,11 @@ class Finding {
 
   bool is_at_border(const NearPixel& pixel) const {
     const Corridor& corridor = search_.outlook.corridor;
-    const Point place = placed(pixel.point, search_.outlook);
     const bool of_picture = pixel.row <= found_.row_step || pixel.slot == 0 ||
                             pixel.slot + std::size_t{1} == found_.slots ||
                             pixel.row + found_.row_step + 1 >= search_.picture.height();
-    return of_picture || place.x < corridor.x_min + border || place.x > corridor.x_max - border ||
-           place.y < corridor.y_min + border;
+    return of_picture || pixel.x < corridor.x_min + border || pixel.x > corridor.x_max - border ||
+           pixel.y < corridor.y_min + border;
   }
 
   const NearSearch& search_;
