@@ -23,47 +23,60 @@ View in_longest_rows(const View& view, Rows rows) {
 }
 
 template <class Points>
-void cut_out(Points& points, std::size_t row, std::size_t column, std::size_t width) {
+void keep_row(Points& points, std::size_t row, std::size_t column, std::size_t width) {
   points.bytes += row * points.row_step + column * step_of(points);
   points.width = width;
   points.height = 1;
 }
 
+/// Leaves nothing but `width` successive points of a row: where the view lies, since a copy for each of a picture's
+/// runs would cost more than the rest that is done once a run.
+void keep(CloudView& cloud, std::size_t row, std::size_t column, std::size_t width) {
+  keep_row(cloud, row, column, width);
+}
+void keep(DepthView& image, std::size_t row, std::size_t column, std::size_t width) {
+  keep_row(image, row, column, width);
+  image.first_row += row;
+  image.first_column += column;
+}
+
 }  // namespace
 
 CloudView piece_of(CloudView cloud, std::size_t row, std::size_t column, std::size_t width) {
-  cut_out(cloud, row, column, width);
+  keep(cloud, row, column, width);
   return cloud;
 }
 
 DepthView piece_of(DepthView image, std::size_t row, std::size_t column, std::size_t width) {
-  cut_out(image, row, column, width);
-  image.first_row += row;
-  image.first_column += column;
+  keep(image, row, column, width);
   return image;
 }
 
 Run part_of(const Run& run, std::size_t begin, std::size_t width) {
   const bool ends_run = begin + width == width_of(run.points);
-  const auto cut = [&](const auto& points) { return View(piece_of(points, 0, begin, width)); };
-  return {std::visit(cut, run.points), run.first + begin, run.followed || !ends_run};
+  Run part{run.points, run.first + begin, run.followed || !ends_run};
+  std::visit([&](auto& points) { keep(points, 0, begin, width); }, part.points);
+  return part;
 }
 
 Runs::Runs(const View& view, Rows rows)
     : rows_(in_longest_rows(view, rows)),
       in_row_(width_of(rows_) / longest + (width_of(rows_) % longest == 0 ? 0 : 1)) {}
 
-Run Runs::operator[](std::size_t run) const {
-  const std::size_t row = run / in_row_, begin = run % in_row_ * longest;
-  return std::visit(
-      [&](const auto& rows) {
-        const std::size_t width = std::min(longest, rows.width - begin);
-        const bool ends_row = begin + width == rows.width;
-        const bool rows_in_order = rows.row_step >= rows.width * step_of(rows);
-        return Run{piece_of(rows, row, begin, width), row * rows.width + begin,
-                   !ends_row || (row + 1 < rows.height && rows_in_order)};
+Run Runs::operator[](std::size_t i) const {
+  const std::size_t row = in_row_ == 1 ? i : i / in_row_, begin = (i - row * in_row_) * longest;
+  Run run{rows_};
+  std::visit(
+      [&](auto& points) {
+        const std::size_t row_width = points.width, width = std::min(longest, row_width - begin);
+        const bool ends_row = begin + width == row_width;
+        const bool rows_in_order = points.row_step >= row_width * step_of(points);
+        run.first = row * row_width + begin;
+        run.followed = !ends_row || (row + 1 < points.height && rows_in_order);
+        keep(points, row, begin, width);
       },
-      rows_);
+      run.points);
+  return run;
 }
 
 }  // namespace safety_control_cloud

@@ -32,7 +32,7 @@ class Runs {
   explicit Runs(const View& view, Rows rows = Rows::Joined);
 
   std::size_t size() const { return height_of(rows_) * in_row_; }
-  Run operator[](std::size_t run) const;
+  Run operator[](std::size_t i) const;
 
  private:
   View rows_;
