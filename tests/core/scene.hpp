@@ -48,14 +48,24 @@ class Scene {
     }
   }
 
-  /// Pixels that return nothing return anything from 0.4 to 5 m instead, so large a share of them.
+  /// Pixels that return nothing return anything from `nearest` [m] to 5 m instead, so large a share of them.
   template <class Random>
-  Scene& stray(double share, Random& random) {
+  Scene& stray(double share, Random& random, float nearest = 0.4f) {
     std::uniform_real_distribution<float> any(0.0f, 1.0f);
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (!std::isnan(points_[i].z) || any(random) >= static_cast<float>(share)) continue;
-      const float z = 0.4f + 4.6f * any(random);
+      const float z = nearest + (5.0f - nearest) * any(random);
       points_[i] = {right(i % width) * z, down(i / width) * z, z};
+    }
+    return *this;
+  }
+
+  /// So large a share of the pixels returns nothing.
+  template <class Random>
+  Scene& drop(double share, Random& random) {
+    std::bernoulli_distribution dropped(share);
+    for (Xyz& point : points_) {
+      if (dropped(random)) point = {nan, nan, nan};
     }
     return *this;
   }

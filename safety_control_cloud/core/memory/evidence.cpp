@@ -12,6 +12,9 @@ namespace {
 constexpr double growth = 0.25;
 /// Ranges that agree differ by at most this share.
 constexpr float agreement = 0.1f;
+/// With as many of the 3 x 3 pixels a spot's surroundings were seen, so that a hole in them means something.
+constexpr int dense = 6;
+
 /// Of the 3 x 3 pixels around a spot.
 struct Around {
   std::array<float, 9> behind{};  ///< their distances [m]
@@ -54,8 +57,8 @@ bool hole_on_the_way(const Spot& spot, const Pixels& picture) {
 
 }  // namespace
 
-bool is_hole(const Spot& spot, const Pixels& picture) {
-  return is_hole(picture, static_cast<std::ptrdiff_t>(spot.row), static_cast<std::ptrdiff_t>(spot.column));
+bool leaves_a_hole(const Spot& spot, const Pixels& picture) {
+  return spot.company >= dense && hole_on_the_way(spot, picture);
 }
 
 bool leaves_at_the_top(const Spot& spot, const Pixels& picture) {
@@ -75,7 +78,7 @@ Evidence evidence_of(const Spot& spot, const Pixels& picture) {
   const int enough = (spot.company + 1) / 2;
   if (there + before >= enough) return there > 0 ? Evidence::There : Evidence::Hidden;
   if (around.count == 0 || 4 * around.agreeing() < 3 * spot.company) return Evidence::Nothing;
-  if (spot.company >= dense && hole_on_the_way(spot, picture)) return Evidence::Nothing;
+  if (leaves_a_hole(spot, picture)) return Evidence::Nothing;
   return Evidence::Past;
 }
 

@@ -19,11 +19,8 @@ enum class Evidence : std::uint8_t {
 /// come too near to return lies farther from the middle of the picture than it did: no hole may be seen on that way.
 Evidence evidence_of(const Spot& spot, const Pixels& picture);
 
-/// With as many of the 3 x 3 pixels a spot's surroundings were seen, so that a hole in them means something.
-constexpr int dense = 6;
-
-/// Whether nothing returns at the spot, nor on two sides of it.
-bool is_hole(const Spot& spot, const Pixels& picture);
+/// Whether there is a hole where the thing left none: where it was seen, or where what comes nearer has moved to.
+bool leaves_a_hole(const Spot& spot, const Pixels& picture);
 
 /// Whether the spot lies so near the picture's upper border that what comes nearer leaves the picture there.
 bool leaves_at_the_top(const Spot& spot, const Pixels& picture);

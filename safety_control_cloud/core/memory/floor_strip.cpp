@@ -2,6 +2,7 @@
 #include "floor_strip.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace safety_control_cloud {
 namespace {
@@ -109,11 +110,12 @@ bool FloorStrip::is_seen_again(std::size_t column) const {
   if (!again(column)) return false;
   const std::size_t columns = shown_.size();
   const double out = (static_cast<double>(column) - 0.5 * static_cast<double>(columns)) * 0.25;
-  const auto end = static_cast<std::ptrdiff_t>(column) + static_cast<std::ptrdiff_t>(out);
-  const std::ptrdiff_t direction = out < 0.0 ? -1 : 1;
-  for (auto i = static_cast<std::ptrdiff_t>(column); i != end; i += direction) {
-    if (i < static_cast<std::ptrdiff_t>(first_) || i >= static_cast<std::ptrdiff_t>(last_)) break;
-    if (blank_[static_cast<std::size_t>(i)] == strip_rows_) return false;
+  const double least = static_cast<double>(column) + std::min(out, 0.0) - 1.0;
+  const double most = static_cast<double>(column) + std::max(out, 0.0) + 1.0;
+  const auto begin = std::max(first_, static_cast<std::size_t>(std::max(0.0, std::floor(least))));
+  const auto end = std::min(last_, static_cast<std::size_t>(std::ceil(most)) + 1);
+  for (std::size_t i = begin; i < end; ++i) {
+    if (blank_[i] == strip_rows_) return false;
   }
   return true;
 }

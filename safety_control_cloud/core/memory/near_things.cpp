@@ -82,8 +82,11 @@ class Finding {
     if (chosen.empty()) chosen = some;
     const std::size_t step = 1 + chosen.size() / most_spots;
     thing.spots.reserve(chosen.size() / step + 1);
-    for (std::size_t i = step / 2; i < chosen.size(); i += step)
-      thing.spots.push_back(spot_at(found_.pixels[chosen[i]]));
+    double golden = 0.5;  // of each step: at its middle every time, they might all lie in one column
+    for (std::size_t i = 0; i < chosen.size(); i += step, golden = std::fmod(golden + 0.618034, 1.0)) {
+      const std::size_t at = i + static_cast<std::size_t>(golden * static_cast<double>(step));
+      if (at < chosen.size()) thing.spots.push_back(spot_at(found_.pixels[chosen[at]]));
+    }
     for (Spot& spot : thing.spots)
       spot.share = static_cast<float>(thing.size / static_cast<double>(thing.spots.size()));
     return thing;

@@ -52,9 +52,6 @@ Common common(const std::vector<Spot>& before, const Thing& now) {
 /// picture to the next (0.3 degrees) for it to rest.
 constexpr float same_axis = 0.99985f, rests = 0.999986f;
 
-/// A hole where the thing left none: something else may stand there that went out of sight together with it.
-bool is_dense_hole(const Spot& spot, const Pixels& picture) { return spot.company >= dense && is_hole(spot, picture); }
-
 /// [m2] of them where the picture says nothing.
 double blank_in(const std::vector<Spot>& spots, const Pixels& picture) {
   double blank = 0.0;
@@ -197,7 +194,7 @@ void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const FloorAgai
     }
     if (spot.seen_past > 0) {
       past += double{spot.share};
-    } else if (is_dense_hole(spot, picture)) {
+    } else if (leaves_a_hole(spot, picture)) {
       blank += double{spot.share};
     }
     return false;
@@ -205,8 +202,9 @@ void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const FloorAgai
   thing.lost.erase(std::remove_if(thing.lost.begin(), thing.lost.end(), goes), thing.lost.end());
   const double gone = thing.freed + past, asked = size_of(thing.lost) - leaving;
   const bool is_most = gone >= nearly * (thing.freed + asked) && gone >= few * (gone + leaving);
-  const bool leaves_a_hole = 2.0 * blank > asked - past;
-  if (gone > 0.0 && is_most && !leaves_a_hole) thing.lost.clear();
+  // A hole may be something else, which went out of sight together with it.
+  const bool is_rest_a_hole = 2.0 * blank > asked - past;
+  if (gone > 0.0 && is_most && !is_rest_a_hole) thing.lost.clear();
 }
 
 }  // namespace safety_control_cloud

@@ -184,6 +184,16 @@ TEST(NearLoss, WhatIsLostStaysLostUnderAnotherCorridor) {
   EXPECT_EQ(robot.sees(Scene()).speed, 0.0);
 }
 
+TEST(NearLoss, SaysSinceWhenTheRobotIsStuck) {
+  Robot robot;
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE(robot.sees({hanging(0.45f)}).stuck_since);
+  const auto since = robot.sees({hanging(0.35f)}).stuck_since;
+  ASSERT_TRUE(since);
+  for (int i = 0; i < 9; ++i) EXPECT_EQ(robot.sees({hanging(0.35f)}).stuck_since, since);
+  EXPECT_FALSE(robot.sees({hanging(0.45f)}).stuck_since);
+  EXPECT_GT(robot.sees({hanging(0.35f)}).stuck_since, since);
+}
+
 TEST(NearLoss, MemoryCanBeSwitchedOff) {
   Settings settings;
   settings.near_loss.distance = 0.0;

@@ -48,6 +48,21 @@ TEST_P(Sent, StrayReturnsInAHallDeeperThanTheSensorEraseNoObstacle) {
   }
 }
 
+/// Holes in it say nothing then, since it was full of them itself.
+TEST_P(Sent, StrayReturnsEraseNoObstacleOfWhichFewPixelsReturned) {
+  for (const double dropped : {0.4, 0.6, 0.7}) {
+    for (const double share : {0.03, 0.1}) {
+      std::mt19937 random(7);
+      robot = Robot();
+      for (const float z : {0.7f, 0.6f, 0.5f, 0.42f}) sees(Scene({board_at(z), wall}).drop(dropped, random));
+      for (int i = 0; i < 200; ++i) {
+        ASSERT_EQ(sees(Scene({board_at(0.35f), wall}).drop(dropped, random).stray(share, random)).speed, 0.0)
+            << dropped << ", " << share << " after " << i;
+      }
+    }
+  }
+}
+
 TEST_P(Sent, ThinRailBeforeAWallStaysWhereverItHangs) {
   for (float y = -0.14f; y < 0.15f; y += 0.0151f) {
     robot = Robot();

@@ -68,6 +68,27 @@ TEST(Together, RestThatNobodySeesIsNotBelievedAtItsOldPlace) {
   }
 }
 
+/// What covers the same pixels and is too near to return.
+Board too_near(const Board& board) {
+  const float shrunk = 0.35f / board.z;
+  return {0.35f, shrunk * board.x_min, shrunk * board.x_max, shrunk * board.y_min, shrunk * board.y_max};
+}
+
+TEST(Together, WhatIsLostAltogetherCountsBeforeANearerOneThatIsLostInPart) {
+  const Board thing = {0.57f, -0.2f, -0.05f, -0.2f, 0.1f}, nearer = {0.53f, 0.05f, 0.22f, -0.2f, 0.1f};
+  Board part = nearer;
+  part.x_min = 0.15f;
+  for (const bool other_too : {false, true}) {
+    Robot robot;
+    for (int i = 0; i < 5; ++i) robot.sees({thing, nearer, wall});
+    std::vector<Board> now = {nearer, too_near(part), wall};
+    now.push_back(other_too ? too_near(thing) : thing);
+    for (int i = 0; i < 20; ++i) {
+      EXPECT_EQ(robot.sees(now).speed, other_too ? 0.0 : 0.1) << i << ": a part is where the rest is seen";
+    }
+  }
+}
+
 TEST(Together, OneOfTwoLikePolesIsNotTakenForTheOther) {
   for (const float behind : {0.07f, 0.08f, 0.1f}) {
     Sensor sensor(0.8f);
