@@ -14,6 +14,11 @@ constexpr double growth = 0.25;
 constexpr float agreement = 0.1f;
 /// With as many of the 3 x 3 pixels a spot's surroundings were seen, so that a hole in them means something.
 constexpr int dense = 6;
+/// Points that lie irregularly return on three rays in four, strays on one in ten: on 1/share at least, if not between
+/// rays.
+constexpr std::size_t none_share = 5;
+constexpr std::size_t enough_rays = 12;
+constexpr float as_near = 1.01f;
 
 /// Of the 3 x 3 pixels around a spot.
 struct Around {
@@ -34,23 +39,38 @@ struct Around {
   }
 };
 
-bool is_hole(const Pixels& picture, std::ptrdiff_t row, std::ptrdiff_t column) {
-  if (row < 1 || column < 1) return false;
-  if (row + 1 >= static_cast<std::ptrdiff_t>(picture.height())) return false;
-  if (column + 1 >= static_cast<std::ptrdiff_t>(picture.width())) return false;
-  const auto blank = [&](std::ptrdiff_t i, std::ptrdiff_t j) { return !returned(picture.near(i, j)); };
-  if (!blank(row, column)) return false;
-  return (blank(row, column - 1) && blank(row, column + 1)) || (blank(row - 1, column) && blank(row + 1, column));
+/// Whether nothing returns at a place in the picture, nor within so many pixels on two sides of it.
+bool is_hole(const Pixels& picture, std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t within) {
+  const auto height = static_cast<std::ptrdiff_t>(picture.height()),
+             width = static_cast<std::ptrdiff_t>(picture.width());
+  if (row < within || column < within || row + within >= height || column + within >= width) return false;
+  bool across = true, along = true;
+  for (std::ptrdiff_t i = -within; i <= within && (across || along); ++i) {
+    across = across && !returned(picture.near(row, column + i));
+    along = along && !returned(picture.near(row + i, column));
+  }
+  return across || along;
+}
+
+/// Nothing returns on a ray, though something does on two sides of it.
+bool is_between_rays(float right, float down, const Pixels& picture) {
+  if (picture.hits()->any(right, down)) return false;
+  const Point along(right, down, 1.0f);
+  const std::ptrdiff_t row = picture.hits()->grid().row(along), column = picture.hits()->grid().column(along);
+  const auto filled = [&](std::ptrdiff_t i, std::ptrdiff_t j) { return returned(picture.near(i, j)); };
+  return (filled(row, column - 1) && filled(row, column + 1)) || (filled(row - 1, column) && filled(row + 1, column));
 }
 
 /// Whether there is a hole where the thing would have moved to.
-bool hole_on_the_way(const Spot& spot, const Pixels& picture) {
+bool hole_on_the_way(const Spot& spot, const Pixels& picture, std::ptrdiff_t within) {
+  if (spot.company < dense) return false;
   const double down = spot.row - 0.5 * static_cast<double>(picture.height());
   const double right = spot.column - 0.5 * static_cast<double>(picture.width());
   const auto steps = static_cast<int>(std::ceil(growth * std::max(std::abs(down), std::abs(right))));
   for (int i = 0; i <= steps; ++i) {
     const double part = growth * i / std::max(1, steps);
-    if (is_hole(picture, std::lround(spot.row + part * down), std::lround(spot.column + part * right))) return true;
+    const auto row = std::lround(spot.row + part * down), column = std::lround(spot.column + part * right);
+    if (is_hole(picture, row, column, within)) return true;
   }
   return false;
 }
@@ -58,7 +78,33 @@ bool hole_on_the_way(const Spot& spot, const Pixels& picture) {
 }  // namespace
 
 bool leaves_a_hole(const Spot& spot, const Pixels& picture) {
-  return spot.company >= dense && hole_on_the_way(spot, picture);
+  constexpr std::ptrdiff_t wide = 2;
+  return hole_on_the_way(spot, picture, wide);
+}
+
+/// Only the nearest are asked, since where the others have moved to by now is not known.
+bool may_lie_between_rays(std::vector<Spot> spots, const std::vector<std::size_t>& rows, const Pixels& picture) {
+  if (!picture.hits() || spots.empty()) return false;
+  const auto is_nearer = [](const Spot& a, const Spot& b) { return a.point.z < b.point.z; };
+  std::sort(spots.begin(), spots.end(), is_nearer);
+  const float nearest = spots.front().point.z, farthest_way = nearest * static_cast<float>(growth / (1.0 + growth));
+  while (spots.size() > enough_rays && spots.back().point.z > as_near * nearest) spots.pop_back();
+  constexpr int steps = 40;  // of a quarter of the distance of rays at most, 30 degrees aside of 160
+  for (int i = 0; i <= steps; ++i) {
+    const float way = farthest_way * static_cast<float>(i) / steps;
+    std::size_t asked = 0, between = 0;
+    const auto ask = [&](float right, float down) {
+      ++asked;
+      between += is_between_rays(right, down, picture);
+    };
+    for (const Spot& spot : spots) {
+      const float z = spot.point.z - way, right = spot.point.x / z;
+      if (rows.empty()) ask(right, spot.point.y / z);
+      for (const std::size_t row : rows) ask(right, picture.hits()->down_in(row));
+    }
+    if (between * none_share > asked * (none_share - 1)) return true;
+  }
+  return false;
 }
 
 bool leaves_at_the_top(const Spot& spot, const Pixels& picture) {
@@ -78,7 +124,7 @@ Evidence evidence_of(const Spot& spot, const Pixels& picture) {
   const int enough = (spot.company + 1) / 2;
   if (there + before >= enough) return there > 0 ? Evidence::There : Evidence::Hidden;
   if (around.count == 0 || 4 * around.agreeing() < 3 * spot.company) return Evidence::Nothing;
-  if (leaves_a_hole(spot, picture)) return Evidence::Nothing;
+  if (hole_on_the_way(spot, picture, 1)) return Evidence::Nothing;
   return Evidence::Past;
 }
 

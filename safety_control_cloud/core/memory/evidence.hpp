@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "pixels.hpp"
 #include "thing.hpp"
 
@@ -19,8 +21,14 @@ enum class Evidence : std::uint8_t {
 /// come too near to return lies farther from the middle of the picture than it did: no hole may be seen on that way.
 Evidence evidence_of(const Spot& spot, const Pixels& picture);
 
-/// Whether there is a hole where the thing left none: where it was seen, or where what comes nearer has moved to.
+/// Whether there is a hole where the thing left none, wider than noise makes them: where it was seen, or where what
+/// comes nearer has moved to.
 bool leaves_a_hole(const Spot& spot, const Pixels& picture);
+
+/// Whether what was seen in these spots may be nearer than the sensor sees and yet leave no hole in the picture, which
+/// is a raster: if it came nearer by some distance, nothing would return on most of its rays. If some of the picture's
+/// `rows` are given, it is asked about below the spots, in those.
+bool may_lie_between_rays(std::vector<Spot> spots, const std::vector<std::size_t>& rows, const Pixels& picture);
 
 /// Whether the spot lies so near the picture's upper border that what comes nearer leaves the picture there.
 bool leaves_at_the_top(const Spot& spot, const Pixels& picture);

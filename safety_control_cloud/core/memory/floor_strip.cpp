@@ -37,7 +37,7 @@ void FloorStrip::survey(const NearGround& ground) {
     expected_.assign(ground.columns(), 0);
     std::fill(lowest_.begin(), lowest_.end(), Code{0});
   }
-  strip_rows_ = 0;
+  rows_.clear();
   above_border_ = false;
   Code floor = 0;  // the lowest of all rows so far
   for (std::size_t row = 0; row < ground.rows(); ++row) {
@@ -48,7 +48,7 @@ void FloorStrip::survey(const NearGround& ground) {
     floor = std::max(floor, lowest);
     if (lowest == 0 || lowest < least_floor(floor)) break;
     count_row(ground, row);
-    ++strip_rows_;
+    rows_.push_back(ground.picture_row(row));
   }
   expect(ground.columns());
 }
@@ -75,7 +75,7 @@ void FloorStrip::count_row(const NearGround& ground, std::size_t row) {
   }
 }
 
-bool FloorStrip::shows_floor(std::size_t i) const { return strip_rows_ > 0 && 2 * shown_[i] >= strip_rows_; }
+bool FloorStrip::shows_floor(std::size_t i) const { return !rows_.empty() && 2 * shown_[i] >= rows_.size(); }
 
 /// Whether columns at a side, of which this is the innermost, may be such as the camera never sees the floor in.
 bool FloorStrip::is_border(std::size_t column, std::size_t size) const {
@@ -115,7 +115,7 @@ bool FloorStrip::is_seen_again(std::size_t column) const {
   const auto begin = std::max(first_, static_cast<std::size_t>(std::max(0.0, std::floor(least))));
   const auto end = std::min(last_, static_cast<std::size_t>(std::ceil(most)) + 1);
   for (std::size_t i = begin; i < end; ++i) {
-    if (blank_[i] == strip_rows_) return false;
+    if (blank_[i] == rows_.size()) return false;
   }
   return true;
 }
@@ -130,12 +130,12 @@ std::vector<Span> FloorStrip::covered() const {
   std::size_t blank = 0, other = 0;  // in as many columns; a stray return in one of them says nothing
   for (std::size_t i = first_; i < last_; ++i) {
     blank += blank_in(i);
-    other += strip_rows_ - blank_in(i);
+    other += rows_.size() - blank_in(i);
     if (i < first_ + post - 1) continue;
     if (blank >= 2 * post && blank >= 3 * other)
       covered.push_back({static_cast<double>(i + 1 - post) / columns, static_cast<double>(i + 1) / columns});
     blank -= blank_in(i + 1 - post);
-    other -= strip_rows_ - blank_in(i + 1 - post);
+    other -= rows_.size() - blank_in(i + 1 - post);
   }
   return covered;
 }

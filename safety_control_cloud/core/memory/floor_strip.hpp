@@ -25,6 +25,7 @@ class FloorStrip {
   /// Finds the floor again in the latest picture.
   void survey(const NearGround& ground);
 
+  const std::vector<std::size_t>& rows() const { return rows_; }  ///< of the picture, in which it lies
   Column column(std::size_t i) const { return {shown_[i], i < first_ || i >= last_ ? foot_[i] : foot_[i] + blank_[i]}; }
 
   /// Whether the floor is seen again in a column, and everywhere farther out: what stood in it may have come nearer,
@@ -47,7 +48,7 @@ class FloorStrip {
   bool shows_floor(std::size_t i) const;
 
   std::vector<Code> lowest_;  ///< ground of each row; 0 = none
-  std::size_t strip_rows_ = 0;
+  std::vector<std::size_t> rows_;
   bool above_border_ = false;         ///< the lowest rows return nothing
   std::size_t first_ = 0, last_ = 0;  ///< the columns in which the floor is expected
   // Of each column.

@@ -112,7 +112,7 @@ std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight,
   const bool any_near = sight.nearest && sight.nearest->distance() - outlook.camera().z < watched_distance();
   if (things_.empty() && !any_near) return std::nullopt;
   const View raster = raster_.picture_of(view, outlook.corridor);
-  const Pixels picture(raster, outlook.corridor.range_min);
+  const Pixels picture(raster, outlook.corridor.range_min, &raster_.hits());
   move_to({raster_.grid(), picture.width(), picture.height()});
   ground_.look_at(picture, outlook, near_distance());
   const std::size_t least = std::min(least_pixels, 1 + raster_.filled() / pixels_of_few);
@@ -126,11 +126,12 @@ void NearLoss::remember(const NearSearch& search) {
   auto things = near_things(search);
   ground_.place(things);
   floor_.survey(ground_);
-  const auto floor_again = [this](std::size_t column) {
+  const auto is_seen_again = [this](std::size_t column) {
     const std::size_t i = ground_.column_at(column);
     return !ground_.is_near(i) && floor_.is_seen_again(i);
   };
-  things_.update(std::move(things), search.picture, floor_again, near_distance(), axis_of(search.outlook));
+  const ThingsMemory::NearFloor floor{is_seen_again, floor_.rows()};
+  things_.update(std::move(things), search.picture, floor, near_distance(), axis_of(search.outlook));
 }
 
 void NearLoss::write_down(bool lost, double now) {

@@ -8,6 +8,7 @@
 
 #include "../input/point_reader.hpp"
 #include "../look/outlook.hpp"
+#include "ray_hits.hpp"
 
 namespace safety_control_cloud {
 
@@ -20,11 +21,12 @@ struct PixelRow {
 /// made of a cloud that is not organised. Reads single pixels; the bytes are borrowed.
 class Pixels {
  public:
-  /// A return lies farther than `range_min` [m].
-  Pixels(const View& view, float range_min);
+  /// A return lies farther than `range_min` [m]. `hits`, of a raster, are borrowed too.
+  Pixels(const View& view, float range_min, const RayHits* hits = nullptr);
 
   std::size_t width() const { return width_; }
   std::size_t height() const { return height_; }
+  const RayHits* hits() const { return hits_; }  ///< of a raster, which rays return; none: the pixels are the rays
 
   /// In the cloud's frame; z is NaN where nothing returns.
   Point at(std::size_t row, std::size_t column) const { return read_(*this, row, column); }
@@ -55,6 +57,7 @@ class Pixels {
   std::array<float, 9> (*around_)(const Pixels&, std::size_t, std::size_t) = nullptr;
   std::size_t width_, height_;
   float range_min_;
+  const RayHits* hits_;
 };
 
 /// In the corridor's axes.

@@ -39,16 +39,7 @@ float spacing_of(const std::vector<Point>& points, const Grid& grid) {
   return std::sqrt(static_cast<float>(filled.count()) * wide * high / static_cast<float>(points.size()));
 }
 
-/// However far beside the grid.
-std::ptrdiff_t cell_at(float slope, float least, float cell) {
-  constexpr float most = 1e6f;
-  return static_cast<std::ptrdiff_t>(std::floor(std::clamp((slope - least) / cell, -most, most)));
-}
-
 }  // namespace
-
-std::ptrdiff_t Grid::column(const Point& point) const { return cell_at(point.x / point.z, left, cell); }
-std::ptrdiff_t Grid::row(const Point& point) const { return cell_at(point.y / point.z, top, cell); }
 
 void Raster::fit(const std::vector<Point>& returns) {
   Grid grid = grid_;
@@ -82,6 +73,7 @@ View Raster::picture_of(const View& points, const Corridor& corridor) {
   if (!returns_.empty()) fit(returns_);
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   cells_.assign(grid_.width * grid_.height, {nan, nan, nan});
+  hits_.clear(grid_);
   filled_ = 0;
   for (const Point& point : returns_) {
     const std::size_t row = std::min(grid_.height - 1, static_cast<std::size_t>(grid_.row(point)));
@@ -89,6 +81,7 @@ View Raster::picture_of(const View& points, const Corridor& corridor) {
     auto& cell = cells_[row * grid_.width + column];
     filled_ += std::isnan(cell[2]);
     if (!(cell[2] <= point.z)) cell = {point.x, point.y, point.z};
+    hits_.add(point);
   }
   CloudView view;
   view.bytes = reinterpret_cast<const std::uint8_t*>(cells_.data());

@@ -61,6 +61,13 @@ double blank_in(const std::vector<Spot>& spots, const Pixels& picture) {
   return blank;
 }
 
+template <class Is>
+std::vector<Spot> those(const std::vector<Spot>& spots, Is is) {
+  std::vector<Spot> some;
+  std::copy_if(spots.begin(), spots.end(), std::back_inserter(some), is);
+  return some;
+}
+
 void append(std::vector<Spot>& all, std::vector<Spot> some) {
   std::move(some.begin(), some.end(), std::back_inserter(all));
   if (all.size() <= most_lost) return;
@@ -84,14 +91,14 @@ void ThingsMemory::restore(std::vector<Remembered> things, float blind_range) {
   blind_range_ = blind_range;
 }
 
-void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const FloorAgain& floor_again, float near,
+void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor, float near,
                           const Axis& axis) {
   follow(std::move(seen));
   unlearn_blind_range();
   const bool rest = !axis_ || are_same(*axis_, axis, rests);
   for (Remembered& thing : things_) {
     note_vanished(thing, picture, near);
-    if (rest) ask(thing, picture, floor_again, axis);
+    if (rest) ask(thing, picture, floor, axis);
   }
   axis_ = axis;
   things_.erase(std::remove_if(things_.begin(), things_.end(),
@@ -173,12 +180,17 @@ void ThingsMemory::follow(std::vector<Thing> seen) {
   }
 }
 
-void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const FloorAgain& floor_again, const Axis& axis) {
+void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Axis& axis) {
   double past = 0.0, leaving = 0.0, blank = 0.0;  // of those that stay
+  const auto is_past = [&](const Spot& spot) { return evidence_of(spot, picture) == Evidence::Past; };
+  const auto stands = [](const Spot& spot) { return spot.stands; };
+  const bool between_rays = picture.hits() && may_lie_between_rays(those(thing.lost, is_past), {}, picture);
+  const bool floor_between = picture.hits() && may_lie_between_rays(those(thing.lost, stands), floor.rows, picture);
   const auto goes = [&](Spot& spot) {
     if (!spot.axis) spot.axis = axis;
     if (!are_same(*spot.axis, axis, same_axis)) return false;
-    const Evidence evidence = evidence_of(spot, picture);
+    Evidence evidence = evidence_of(spot, picture);
+    if (evidence == Evidence::Past && between_rays) evidence = Evidence::Nothing;
     if (evidence == Evidence::Past && !thing.is_seen() && leaves_at_the_top(spot, picture)) {
       leaving += double{spot.share};
       return false;
@@ -188,13 +200,13 @@ void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const FloorAgai
     const bool again = evidence == Evidence::There || (evidence == Evidence::Hidden && thing.is_seen() &&
                                                        picture.near(spot.row, spot.column).z > spot.point.z - step);
     if (again) return true;
-    if (spot.seen_past >= clouds_to_go || (spot.stands && floor_again(spot.column))) {
+    if (spot.seen_past >= clouds_to_go || (spot.stands && !floor_between && floor.is_seen_again(spot.column))) {
       thing.freed += double{spot.share};
       return true;
     }
     if (spot.seen_past > 0) {
       past += double{spot.share};
-    } else if (leaves_a_hole(spot, picture)) {
+    } else if (between_rays || leaves_a_hole(spot, picture)) {
       blank += double{spot.share};
     }
     return false;

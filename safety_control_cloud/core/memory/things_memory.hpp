@@ -34,6 +34,8 @@ double size_of(const std::vector<Spot>& spots);  ///< [m2]
 /// - What is lost of a thing stays lost until the picture shows what is behind it, in three successive clouds, or at
 ///   once if it does so for nearly all of it. Then the rest goes too, unless most of that is a hole: something smaller
 ///   may have gone out of sight together with it.
+/// - Of a cloud that is not organised the picture is a raster, in which what is thin leaves no hole: it is not seen past
+///   while nothing may return on the rays that it would take.
 /// - What leaves the picture at its upper border, within the corridor, is not seen to go by what is seen below it.
 /// - What is near is kept. What is farther away is only watched: if a thing of fair extent, which nothing hides and
 ///   which is not at the border, returns nothing any more from one cloud to the next, it was not seen to go away. The
@@ -43,12 +45,14 @@ double size_of(const std::vector<Spot>& spots);  ///< [m2]
 /// - What stands on the floor, in a column of the picture, has gone when the near floor is seen again in that column.
 class ThingsMemory {
  public:
-  /// Whether the near floor is seen again in a column of the picture and nothing is near in it.
-  using FloorAgain = std::function<bool(std::size_t column)>;
+  struct NearFloor {
+    /// Whether it is seen again in a column of the picture and nothing is near in it.
+    std::function<bool(std::size_t column)> is_seen_again;
+    const std::vector<std::size_t>& rows;  ///< of the picture, that show it
+  };
 
   /// Nearer than `near` [m] ahead of the camera is near.
-  void update(std::vector<Thing> seen, const Pixels& picture, const FloorAgain& floor_again, float near,
-              const Axis& axis);
+  void update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor, float near, const Axis& axis);
 
   const std::vector<Remembered>& things() const { return things_; }
   template <class Visit>
@@ -66,7 +70,7 @@ class ThingsMemory {
 
  private:
   void follow(std::vector<Thing> seen);
-  void ask(Remembered& thing, const Pixels& picture, const FloorAgain& floor_again, const Axis& axis);
+  void ask(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Axis& axis);
   void note_vanished(Remembered& thing, const Pixels& picture, float near);
   void unlearn_blind_range();
 

@@ -11,6 +11,8 @@ namespace {
 
 const Board wall = {2.0f, -3.0f, 3.0f, -3.0f, floor_y};
 
+constexpr float beyond = 1.1f;  ///< [m] strays that are nearer stop the robot whatever it remembers
+
 Board board_at(float z) { return {z, -0.2f, 0.2f, -0.2f, 0.05f}; }
 
 /// How the same picture reaches the robot.
@@ -32,7 +34,8 @@ TEST_P(Sent, StrayReturnsEraseNoObstacleHoweverLongTheyCome) {
     robot = Robot();
     for (const float z : {0.7f, 0.6f, 0.5f, 0.42f}) sees(Scene({board_at(z), wall}));
     for (int i = 0; i < 400; ++i) {
-      ASSERT_EQ(sees(Scene({board_at(0.35f), wall}).stray(share, random)).speed, 0.0) << share << " after " << i;
+      const Scene scene = Scene({board_at(0.35f), wall}).stray(share, random, beyond);
+      ASSERT_EQ(sees(scene).cause, Cause::NearLoss) << share << " after " << i;
     }
     int clouds = 0;
     while (clouds < 30 && sees(Scene({wall})).speed < 0.2) ++clouds;
@@ -44,20 +47,21 @@ TEST_P(Sent, StrayReturnsInAHallDeeperThanTheSensorEraseNoObstacle) {
   std::mt19937 random(7);
   for (const float z : {0.7f, 0.6f, 0.5f, 0.42f}) sees(Scene({board_at(z)}));
   for (int i = 0; i < 300; ++i) {
-    ASSERT_EQ(sees(Scene({board_at(0.35f)}).stray(0.1, random)).speed, 0.0) << i;
+    ASSERT_EQ(sees(Scene({board_at(0.35f)}).stray(0.1, random, beyond)).cause, Cause::NearLoss) << i;
   }
 }
 
 /// Holes in it say nothing then, since it was full of them itself.
-TEST_P(Sent, StrayReturnsEraseNoObstacleOfWhichFewPixelsReturned) {
-  for (const double dropped : {0.4, 0.6, 0.7}) {
-    for (const double share : {0.03, 0.1}) {
+TEST_P(Sent, StrayReturnsEraseNothingSmallOfWhichFewPixelsReturned) {
+  for (const double dropped : {0.4, 0.6}) {
+    for (const float width : {0.05f, 0.1f}) {
       std::mt19937 random(7);
       robot = Robot();
-      for (const float z : {0.7f, 0.6f, 0.5f, 0.42f}) sees(Scene({board_at(z), wall}).drop(dropped, random));
+      const auto small = [width](float z) { return Board{z, -width / 2, width / 2, -0.01f, 0.05f}; };
+      for (float z = 0.8f; z > 0.4f; z -= 0.01f) sees(Scene({small(z), wall}).drop(dropped, random));
       for (int i = 0; i < 200; ++i) {
-        ASSERT_EQ(sees(Scene({board_at(0.35f), wall}).drop(dropped, random).stray(share, random)).speed, 0.0)
-            << dropped << ", " << share << " after " << i;
+        const Scene scene = Scene({small(0.33f), wall}).drop(dropped, random).stray(0.1, random, beyond);
+        ASSERT_EQ(sees(scene).cause, Cause::NearLoss) << dropped << ", " << width << " after " << i;
       }
     }
   }

@@ -46,6 +46,38 @@ TEST(Unorganised, BehindIsAsTheCameraLooksWhereverTheCorridorLies) {
   EXPECT_EQ(robot.sees(view_of(behind)).speed, 0.2);
 }
 
+/// What is thinner than two cells of the raster leaves no hole in it.
+TEST(Unorganised, ThinThingThatIsTooNearLiesBetweenTheRays) {
+  const Board wall = {2.0f, -4.0f, 4.0f, -3.0f, floor_y};
+  struct Thin {
+    float width, x, height, y;  ///< and its lower and left edge
+  };
+  std::vector<Thin> all;
+  for (const float at : {-0.094f, -0.034f, 0.0261f, 0.0412f, 0.1318f}) {
+    for (const float thickness : {0.006f, 0.012f}) {
+      all.push_back({thickness, at, 0.2f, -0.1f});
+      all.push_back({thickness, at, 0.5f, -0.25f});
+      all.push_back({0.5f, -0.25f, thickness, at});
+    }
+  }
+  for (const Thin& thin : all) {
+    const auto at = [&](float z) { return Board{z, thin.x, thin.x + thin.width, thin.y, thin.y + thin.height}; };
+    Robot robot;
+    const auto sees = [&](const std::vector<Board>& boards) {
+      const auto points = Scene(boards).returns();
+      return robot.sees(view_of(points));
+    };
+    float z = 0.8f;
+    for (; z > 0.4f; z -= 0.01f) sees({at(z), wall});
+    for (int i = 0; i < 20; ++i, z = std::max(0.34f, z - 0.01f)) {
+      ASSERT_EQ(sees({at(z), wall}).speed, 0.0) << thin.x << ", " << thin.y << ", " << thin.width << " after " << i;
+    }
+    Decision decision;
+    for (int i = 0; i < 30; ++i) decision = sees({wall});
+    EXPECT_EQ(decision.speed, 0.2) << thin.x << ", " << thin.y << ", " << thin.width << ": it has been taken away";
+  }
+}
+
 TEST(Unorganised, CloudOfOneColumnIsNoPictureAndKeepsItsNearestToo) {
   const auto column = [](const std::vector<Xyz>& points) {
     CloudView view = view_of(points);
