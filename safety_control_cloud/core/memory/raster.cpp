@@ -73,7 +73,7 @@ View Raster::picture_of(const View& points, const Corridor& corridor) {
   if (!returns_.empty()) fit(returns_);
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   cells_.assign(grid_.width * grid_.height, {nan, nan, nan});
-  hits_.clear(grid_);
+  hits_.take(grid_, returns_);
   filled_ = 0;
   for (const Point& point : returns_) {
     const std::size_t row = std::min(grid_.height - 1, static_cast<std::size_t>(grid_.row(point)));
@@ -81,7 +81,6 @@ View Raster::picture_of(const View& points, const Corridor& corridor) {
     auto& cell = cells_[row * grid_.width + column];
     filled_ += std::isnan(cell[2]);
     if (!(cell[2] <= point.z)) cell = {point.x, point.y, point.z};
-    hits_.add(point);
   }
   CloudView view;
   view.bytes = reinterpret_cast<const std::uint8_t*>(cells_.data());

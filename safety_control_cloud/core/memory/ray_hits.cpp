@@ -18,25 +18,30 @@ std::ptrdiff_t cell_at(float slope, float least, float cell) {
 std::ptrdiff_t Grid::column(const Point& point) const { return cell_at(point.x / point.z, left, cell); }
 std::ptrdiff_t Grid::row(const Point& point) const { return cell_at(point.y / point.z, top, cell); }
 
-void RayHits::clear(const Grid& grid) {
+void RayHits::take(const Grid& grid, const std::vector<Point>& returns) {
   grid_ = grid;
-  cells_.assign(grid.width * grid.height, 0);
+  pending_ = &returns;
 }
 
-void RayHits::add(const Point& point) {
+void RayHits::fill() const {
+  cells_.assign(grid_.width * grid_.height, 0);
   const float part = grid_.cell / static_cast<float>(across);
-  const std::ptrdiff_t right = cell_at(point.x / point.z, grid_.left, part);
-  const std::ptrdiff_t down = cell_at(point.y / point.z, grid_.top, part);
   const auto width = static_cast<std::ptrdiff_t>(grid_.width), height = static_cast<std::ptrdiff_t>(grid_.height);
-  if (right < 0 || down < 0 || right >= width * across || down >= height * across) return;
-  const auto bit = static_cast<unsigned>(down % across * across + right % across);
-  auto& cell = cells_[static_cast<std::size_t>(down / across * width + right / across)];
-  cell = static_cast<std::uint16_t>(cell | 1u << bit);
+  for (const Point& point : *pending_) {
+    const std::ptrdiff_t right = cell_at(point.x / point.z, grid_.left, part);
+    const std::ptrdiff_t down = cell_at(point.y / point.z, grid_.top, part);
+    if (right < 0 || down < 0 || right >= width * across || down >= height * across) continue;
+    const auto bit = static_cast<unsigned>(down % across * across + right % across);
+    auto& cell = cells_[static_cast<std::size_t>(down / across * width + right / across)];
+    cell = static_cast<std::uint16_t>(cell | 1u << bit);
+  }
+  pending_ = nullptr;
 }
 
 float RayHits::down_in(std::size_t row) const { return grid_.top + (static_cast<float>(row) + 0.5f) * grid_.cell; }
 
 bool RayHits::any(float right, float down) const {
+  if (pending_) fill();
   const float part = grid_.cell / static_cast<float>(across);
   const std::ptrdiff_t column = cell_at(right, grid_.left, part), row = cell_at(down, grid_.top, part);
   const auto width = static_cast<std::ptrdiff_t>(grid_.width), height = static_cast<std::ptrdiff_t>(grid_.height);

@@ -27,10 +27,11 @@ struct Grid {
 /// it: what is thinner than two cells leaves no hole in that picture.
 class RayHits {
  public:
-  void clear(const Grid& grid);
+  /// Of these returns, which are borrowed, and are gone through when the first ray is asked about: most clouds show
+  /// nothing lost, and are spared it.
+  void take(const Grid& grid, const std::vector<Point>& returns);
   const Grid& grid() const { return grid_; }
   float down_in(std::size_t row) const;  ///< y / z in the middle of a row of cells
-  void add(const Point& point);
   /// Whether anything returns on a ray or right beside it, nearer than the next ray: slopes x / z and y / z.
   bool any(float right, float down) const;
 
@@ -38,8 +39,11 @@ class RayHits {
   /// Of a cell, which is a little wider than points lie apart.
   static constexpr std::ptrdiff_t across = 4;
 
+  void fill() const;
+
   Grid grid_;
-  std::vector<std::uint16_t> cells_;  ///< a bit for each part of a cell
+  mutable const std::vector<Point>* pending_ = nullptr;  ///< returns that are not in the cells yet
+  mutable std::vector<std::uint16_t> cells_;             ///< a bit for each part of a cell
 };
 
 }  // namespace safety_control_cloud
