@@ -112,12 +112,12 @@ std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight,
   const bool any_near = sight.nearest && sight.nearest->distance() - outlook.camera().z < watched_distance();
   if (things_.empty() && !any_near) return std::nullopt;
   const View raster = raster_.picture_of(view, outlook.corridor);
-  const Pixels picture(raster, outlook.corridor.range_min, &raster_.hits());
+  const bool sparse = 10 * raster_.filled() > 7 * sight.returns;
+  const Pixels picture(raster, outlook.corridor.range_min, sparse ? nullptr : &raster_.hits());
   move_to({raster_.grid(), picture.width(), picture.height()});
   ground_.look_at(picture, outlook, near_distance());
   const std::size_t least = std::min(least_pixels, 1 + raster_.filled() / pixels_of_few);
   const Sight in_raster = look(raster, outlook, Crop::Skip, Rows::Apart);
-  const bool sparse = 10 * raster_.filled() > 7 * sight.returns;
   remember({picture, outlook, in_raster.nearest_in_rows, watched_distance(), least, sparse});
   return lost(outlook);
 }

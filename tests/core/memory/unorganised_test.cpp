@@ -46,6 +46,20 @@ TEST(Unorganised, BehindIsAsTheCameraLooksWhereverTheCorridorLies) {
   EXPECT_EQ(robot.sees(view_of(behind)).speed, 0.2);
 }
 
+/// Between points that lie far apart nothing returns wherever they move to.
+TEST(Unorganised, WallOfFewPointsThatIsSeenToMoveAwayIsNotLost) {
+  Robot robot;
+  for (const float z : {0.5f, 0.8f, 1.1f}) {
+    std::vector<Xyz> wall;
+    for (int i = 0; i < 13 * 11; ++i) {
+      wall.push_back({-0.6f + 0.1f * static_cast<float>(i % 13), -0.5f + 0.1f * static_cast<float>(i / 13), z});
+    }
+    const Decision decision = robot.sees(view_of(wall));
+    EXPECT_EQ(decision.cause, Cause::Seen) << z;
+    EXPECT_EQ(decision.speed, z > 1.0f ? 0.2 : z > 0.6f ? 0.1 : 0.0) << z;
+  }
+}
+
 /// What is thinner than two cells of the raster leaves no hole in it.
 TEST(Unorganised, ThinThingThatIsTooNearLiesBetweenTheRays) {
   const Board wall = {2.0f, -4.0f, 4.0f, -3.0f, floor_y};
