@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace safety_control_cloud {
 namespace {
@@ -75,15 +76,11 @@ bool hole_on_the_way(const Spot& spot, const Pixels& picture, std::ptrdiff_t wit
   return false;
 }
 
-}  // namespace
-
-bool leaves_a_hole(const Spot& spot, const Pixels& picture) {
-  constexpr std::ptrdiff_t wide = 2;
-  return hole_on_the_way(spot, picture, wide);
-}
-
-/// Only the nearest are asked, since where the others have moved to by now is not known.
-bool may_lie_between_rays(std::vector<Spot> spots, const std::vector<std::size_t>& rows, const Pixels& picture) {
+/// Whether there is a way nearer after which nothing would return on most of the rays that `ask_rays` asks about for a
+/// spot at its new distance z [m]. Only the nearest spots are asked, since where the others have moved to by now is not
+/// known.
+template <class AskRays>
+bool any_way_between_rays(std::vector<Spot> spots, const Pixels& picture, AskRays ask_rays) {
   if (!picture.hits() || spots.empty()) return false;
   const auto is_nearer = [](const Spot& a, const Spot& b) { return a.point.z < b.point.z; };
   std::sort(spots.begin(), spots.end(), is_nearer);
@@ -97,14 +94,29 @@ bool may_lie_between_rays(std::vector<Spot> spots, const std::vector<std::size_t
       ++asked;
       between += is_between_rays(right, down, picture);
     };
-    for (const Spot& spot : spots) {
-      const float z = spot.point.z - way, right = spot.point.x / z;
-      if (rows.empty()) ask(right, spot.point.y / z);
-      for (const std::size_t row : rows) ask(right, picture.hits()->down_in(row));
-    }
+    for (const Spot& spot : spots) ask_rays(spot, spot.point.z - way, ask);
     if (between * none_share > asked * (none_share - 1)) return true;
   }
   return false;
+}
+
+}  // namespace
+
+bool leaves_a_hole(const Spot& spot, const Pixels& picture) {
+  constexpr std::ptrdiff_t wide = 2;
+  return hole_on_the_way(spot, picture, wide);
+}
+
+bool may_lie_between_rays(std::vector<Spot> spots, const Pixels& picture) {
+  return any_way_between_rays(std::move(spots), picture, [](const Spot& spot, float z, const auto& ask) {
+    ask(spot.point.x / z, spot.point.y / z);
+  });
+}
+
+bool may_stand_between_rays(std::vector<Spot> spots, const std::vector<std::size_t>& rows, const Pixels& picture) {
+  return any_way_between_rays(std::move(spots), picture, [&](const Spot& spot, float z, const auto& ask) {
+    for (const std::size_t row : rows) ask(spot.point.x / z, picture.hits()->down_in(row));
+  });
 }
 
 bool leaves_at_the_top(const Spot& spot, const Pixels& picture) {

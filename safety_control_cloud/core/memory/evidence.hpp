@@ -26,9 +26,10 @@ Evidence evidence_of(const Spot& spot, const Pixels& picture);
 bool leaves_a_hole(const Spot& spot, const Pixels& picture);
 
 /// Whether what was seen in these spots may be nearer than the sensor sees and yet leave no hole in the picture, which
-/// is a raster: if it came nearer by some distance, nothing would return on most of its rays. If some of the picture's
-/// `rows` are given, it is asked about below the spots, in those.
-bool may_lie_between_rays(std::vector<Spot> spots, const std::vector<std::size_t>& rows, const Pixels& picture);
+/// is a raster: if it came nearer by some distance, nothing would return on most of its rays.
+bool may_lie_between_rays(std::vector<Spot> spots, const Pixels& picture);
+/// The same of the floor that it stands on: whether nothing would return on most of the rays below it in these rows.
+bool may_stand_between_rays(std::vector<Spot> spots, const std::vector<std::size_t>& rows, const Pixels& picture);
 
 /// Whether the spot lies so near the picture's upper border that what comes nearer leaves the picture there.
 bool leaves_at_the_top(const Spot& spot, const Pixels& picture);

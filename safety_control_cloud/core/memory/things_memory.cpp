@@ -61,13 +61,6 @@ double blank_in(const std::vector<Spot>& spots, const Pixels& picture) {
   return blank;
 }
 
-template <class Is>
-std::vector<Spot> those(const std::vector<Spot>& spots, Is is) {
-  std::vector<Spot> some;
-  std::copy_if(spots.begin(), spots.end(), std::back_inserter(some), is);
-  return some;
-}
-
 void append(std::vector<Spot>& all, std::vector<Spot> some) {
   std::move(some.begin(), some.end(), std::back_inserter(all));
   if (all.size() <= most_lost) return;
@@ -182,14 +175,19 @@ void ThingsMemory::follow(std::vector<Thing> seen) {
 
 void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Axis& axis) {
   double past = 0.0, leaving = 0.0, blank = 0.0;  // of those that stay
-  const auto is_past = [&](const Spot& spot) { return evidence_of(spot, picture) == Evidence::Past; };
-  const auto stands = [](const Spot& spot) { return spot.stands; };
-  const bool between_rays = picture.hits() && may_lie_between_rays(those(thing.lost, is_past), {}, picture);
-  const bool floor_between = picture.hits() && may_lie_between_rays(those(thing.lost, stands), floor.rows, picture);
-  const auto goes = [&](Spot& spot) {
+  std::vector<Evidence> said(thing.lost.size());
+  std::vector<Spot> seen_past, standing;
+  for (std::size_t i = 0; i < said.size(); ++i) {
+    const Spot& spot = thing.lost[i];
+    said[i] = evidence_of(spot, picture);
+    if (said[i] == Evidence::Past) seen_past.push_back(spot);
+    if (spot.stands) standing.push_back(spot);
+  }
+  const bool between_rays = may_lie_between_rays(std::move(seen_past), picture);
+  const bool floor_between = may_stand_between_rays(std::move(standing), floor.rows, picture);
+  const auto goes = [&](Spot& spot, Evidence evidence) {
     if (!spot.axis) spot.axis = axis;
     if (!are_same(*spot.axis, axis, same_axis)) return false;
-    Evidence evidence = evidence_of(spot, picture);
     if (evidence == Evidence::Past && between_rays) evidence = Evidence::Nothing;
     if (evidence == Evidence::Past && !thing.is_seen() && leaves_at_the_top(spot, picture)) {
       leaving += double{spot.share};
@@ -211,7 +209,11 @@ void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor
     }
     return false;
   };
-  thing.lost.erase(std::remove_if(thing.lost.begin(), thing.lost.end(), goes), thing.lost.end());
+  std::size_t staying = 0;
+  for (std::size_t i = 0; i < said.size(); ++i) {
+    if (!goes(thing.lost[i], said[i])) std::swap(thing.lost[staying++], thing.lost[i]);
+  }
+  thing.lost.resize(staying);
   const double gone = thing.freed + past, asked = size_of(thing.lost) - leaving;
   const bool is_most = gone >= nearly * (thing.freed + asked) && gone >= few * (gone + leaving);
   // A hole may be something else, which went out of sight together with it.
