@@ -10,6 +10,7 @@
 #include "look/field_of_view.hpp"
 #include "look/outlook.hpp"
 #include "speed/speed.hpp"
+#include "verdict.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -42,8 +43,7 @@ std::optional<Doubt> loss_in(const Answer& answer, std::size_t min_points, bool 
 std::optional<ZoneCap> cap_by(const Answer& answer, const Settings& settings) {
   const auto* seen = std::get_if<Seen>(&answer);
   if (!settings.zone_caps || !seen) return std::nullopt;
-  const auto& nearest = seen->sight.nearest;
-  const Zone zone = nearest ? zone_at(nearest->distance(), settings.limits) : Zone::Safe;
+  const Zone zone = zone_of(seen->sight, settings.limits);
   return ZoneCap{zone, speed_for(zone, settings.speeds)};
 }
 

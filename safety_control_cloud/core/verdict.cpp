@@ -35,6 +35,10 @@ Decision by_loss(const Sight& sight, const Loss& loss, Zone zone) {
 
 }  // namespace
 
+Zone zone_of(const Sight& sight, const ZoneLimits& limits) {
+  return sight.nearest ? zone_at(sight.nearest->distance(), limits) : Zone::Safe;
+}
+
 Decision standing_for(const Doubt& doubt, const Sight& counted) {
   Decision decision;
   decision.cause = doubt.cause;
@@ -46,7 +50,7 @@ Decision standing_for(const Doubt& doubt, const Sight& counted) {
 Decision verdict_on(const Sensor& sensor, const ZoneLimits& limits) {
   if (const auto* doubt = std::get_if<Doubt>(&sensor.answer())) return standing_for(*doubt, sensor.counted());
   const auto& [sight, loss] = std::get<Seen>(sensor.answer());
-  const Zone seen = sight.nearest ? zone_at(sight.nearest->distance(), limits) : Zone::Safe;
+  const Zone seen = zone_of(sight, limits);
   const Zone lost = loss ? zone_of(*loss, limits) : Zone::Safe;
   return lost < seen ? by_loss(sight, *loss, lost) : by_obstacle(sight, seen);
 }

@@ -6,6 +6,9 @@
 
 namespace safety_control_cloud {
 
+/// Of the nearest obstacle; Safe if nothing is seen.
+Zone zone_of(const Sight& sight, const ZoneLimits& limits);
+
 /// To stand, for this doubt; `counted` is what the latest reading held.
 Decision standing_for(const Doubt& doubt, const Sight& counted);
 
