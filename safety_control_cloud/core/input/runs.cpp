@@ -64,7 +64,8 @@ Runs::Runs(const View& view, Rows rows)
       in_row_(width_of(rows_) / longest + (width_of(rows_) % longest == 0 ? 0 : 1)) {}
 
 Run Runs::operator[](std::size_t i) const {
-  const std::size_t row = in_row_ == 1 ? i : i / in_row_, begin = (i - row * in_row_) * longest;
+  const std::size_t row = in_row_ == 1 ? i : i / in_row_;  // a division for each of a picture's rows would show
+  const std::size_t begin = (i - row * in_row_) * longest;
   Run run{rows_};
   std::visit(
       [&](auto& points) {

@@ -28,8 +28,8 @@ class FloorStrip {
   const std::vector<std::size_t>& rows() const { return rows_; }  ///< of the picture, in which it lies
   Column column(std::size_t i) const { return {shown_[i], i < first_ || i >= last_ ? foot_[i] : foot_[i] + blank_[i]}; }
 
-  /// Whether the floor is seen again in a column, and everywhere farther out: what stood in it may have come nearer,
-  /// and what comes nearer moves away from the middle of the picture.
+  /// Whether the floor is seen again in a column, and is blank nowhere right beside it and farther out: what stood in
+  /// it may have come nearer, and what comes nearer grows and moves away from the middle of the picture.
   bool is_seen_again(std::size_t column) const;
 
   /// Where the strip is blank over the width of a post: something stands nearer than the camera can see. Above rows

@@ -75,21 +75,28 @@ class Finding {
     const auto width = static_cast<double>(search_.picture.width());
     thing.size *=
         static_cast<double>(pixels_each) / (width * width);  // but for the camera's angle, which is always the same
-    Members chosen;
-    chosen.reserve(some.size());
-    std::copy_if(some.begin(), some.end(), std::back_inserter(chosen),
-                 [this](Index i) { return connected_.is_inner(i); });
-    if (chosen.empty()) chosen = some;
-    const std::size_t step = 1 + chosen.size() / most_spots;
-    thing.spots.reserve(chosen.size() / step + 1);
-    double golden = 0.5;  // of each step: at its middle every time, they might all lie in one column
-    for (std::size_t i = 0; i < chosen.size(); i += step, golden = std::fmod(golden + 0.618034, 1.0)) {
-      const std::size_t at = i + static_cast<std::size_t>(golden * static_cast<double>(step));
-      if (at < chosen.size()) thing.spots.push_back(spot_at(found_.pixels[chosen[at]]));
-    }
+    thing.spots = spots_of(some);
     for (Spot& spot : thing.spots)
       spot.share = static_cast<float>(thing.size / static_cast<double>(thing.spots.size()));
     return thing;
+  }
+
+  /// Spread over its inner pixels, if it has any.
+  std::vector<Spot> spots_of(const Members& some) const {
+    Members inner;
+    inner.reserve(some.size());
+    std::copy_if(some.begin(), some.end(), std::back_inserter(inner),
+                 [this](Index i) { return connected_.is_inner(i); });
+    const Members& chosen = inner.empty() ? some : inner;
+    const std::size_t step = 1 + chosen.size() / most_spots;
+    std::vector<Spot> spots;
+    spots.reserve(chosen.size() / step + 1);
+    double golden = 0.5;  // of each step: at its middle every time, they might all lie in one column
+    for (std::size_t i = 0; i < chosen.size(); i += step, golden = std::fmod(golden + 0.618034, 1.0)) {
+      const std::size_t at = i + static_cast<std::size_t>(golden * static_cast<double>(step));
+      if (at < chosen.size()) spots.push_back(spot_at(found_.pixels[chosen[at]]));
+    }
+    return spots;
   }
 
   Spot spot_at(const NearPixel& pixel) const {
