@@ -2,21 +2,18 @@
 #include "things_memory.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <utility>
+
+#include "likeness.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
-/// So far a thing moves from one cloud to the next [m]: 3 m/s.
-constexpr float step = 0.15f;
 /// Of a thing of which as much is still seen, nothing is lost.
 constexpr double same_size = 0.85;
-/// As many spots of a thing tell which one it is.
-constexpr std::size_t enough_spots = 24;
 /// What is seen past in so many successive clouds has gone.
 constexpr unsigned clouds_to_go = 3;
 /// Nearly all of a thing, and a small part of one.
@@ -24,29 +21,6 @@ constexpr double nearly = 0.85, few = 0.25;
 constexpr std::size_t most_lost = 240;  ///< spots of one thing
 /// Of the picture, at least 1/share is a fair extent.
 constexpr double fair_share = 500;
-
-float squared_distance(const Point& a, const Point& b) {
-  return (a.getVector3fMap() - b.getVector3fMap()).squaredNorm();
-}
-
-/// What a thing that was seen has in common with one that is.
-struct Common {
-  double share = 0.0;      ///< of what was seen: how much lies close to what is seen
-  double closeness = 0.0;  ///< how close: 1 where it has not moved
-};
-
-Common common(const std::vector<Spot>& before, const Thing& now) {
-  std::size_t close = 0, asked = 0;
-  double closeness = 0.0;
-  for (std::size_t i = 0; i < before.size(); i += 1 + before.size() / enough_spots, ++asked) {
-    float least = step * step;
-    for (const Spot& spot : now.spots) least = std::min(least, squared_distance(before[i].point, spot.point));
-    close += least < step * step;
-    closeness += 1.0 - std::sqrt(double{least}) / double{step};
-  }
-  const double all = static_cast<double>(std::max<std::size_t>(1, asked));
-  return {static_cast<double>(close) / all, closeness / all};
-}
 
 /// Cosines: by how much a camera may have turned for its picture to show the same places (1 degree), and from one
 /// picture to the next (0.3 degrees) for it to rest.
@@ -142,10 +116,10 @@ void ThingsMemory::follow(std::vector<Thing> seen) {
     double most = 0.0;
     for (std::size_t i = 0; i < before.size(); ++i) {
       if (before[i].empty() || things_[i].is_seen()) continue;
-      const Common shared = common(before[i], now);
+      const Likeness alike = likeness_of(before[i], now);
       const double as_large = std::min(1.0, now.size / size_before[i]);
-      const double likeness = as_large * (shared.share + shared.closeness);
-      if (shared.share * as_large > least && likeness > most) best = i, most = likeness;
+      const double all_in_all = as_large * (alike.share + alike.closeness);
+      if (alike.share * as_large > least && all_in_all > most) best = i, most = all_in_all;
     }
     if (best == things_.size()) {
       things_.emplace_back();
@@ -195,8 +169,9 @@ void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor
     }
     spot.seen_past = evidence == Evidence::Past ? static_cast<std::uint8_t>(spot.seen_past + 1) : std::uint8_t{0};
     // Seen again, it is a thing that is seen; what comes nearer while a part of it is seen is that thing itself.
-    const bool again = evidence == Evidence::There || (evidence == Evidence::Hidden && thing.is_seen() &&
-                                                       picture.near(spot.row, spot.column).z > spot.point.z - step);
+    const bool again =
+        evidence == Evidence::There || (evidence == Evidence::Hidden && thing.is_seen() &&
+                                        picture.near(spot.row, spot.column).z > spot.point.z - farthest_step);
     if (again) return true;
     if (spot.seen_past >= clouds_to_go || (spot.stands && !floor_between && floor.is_seen_again(spot.column))) {
       thing.freed += double{spot.share};

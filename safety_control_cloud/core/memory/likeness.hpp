@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "thing.hpp"
+
+namespace safety_control_cloud {
+
+/// So far a thing moves from one cloud to the next [m]: 3 m/s.
+constexpr float farthest_step = 0.15f;
+
+/// What a thing that was seen has in common with one that is.
+struct Likeness {
+  double share = 0.0;      ///< of what was seen: how much lies close to what is seen
+  double closeness = 0.0;  ///< how close: 1 where it has not moved
+};
+
+Likeness likeness_of(const std::vector<Spot>& before, const Thing& now);
+
+}  // namespace safety_control_cloud
