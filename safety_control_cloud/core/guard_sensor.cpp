@@ -32,9 +32,9 @@ std::optional<Doubt> loss_in(const Answer& answer, std::size_t min_points, bool 
   if (const auto* doubt = std::get_if<Doubt>(&answer)) {
     return doubt->cause == Cause::Blind ? std::optional(*doubt) : std::nullopt;
   }
-  const auto& [sight, loss] = std::get<Seen>(answer);
-  if (loss && !is_explained) return Doubt{loss->cause, loss->reason};
-  if (sight.too_close > 0 && sight.too_close + sight.inside >= min_points)
+  const auto& seen = std::get<Seen>(answer);
+  if (seen.loss && !is_explained) return Doubt{seen.loss->cause, seen.loss->reason};
+  if (seen.sight.too_close > 0 && seen.sight.too_close + seen.sight.inside >= min_points)
     return Doubt{Cause::Seen, "something is too close to measure"};
   return std::nullopt;
 }

@@ -101,9 +101,10 @@ Answer Sensor::look_at(const Reading& reading, const Outlook& outlook, const Ori
     return *std::move(doubt);
   if (auto doubt = frozen_.note(view, origin.stamp, settings_.frozen_clouds)) return *std::move(doubt);
   auto loss = near_loss_.judge(view, counted_, outlook, now);
+  const bool is_cut_off = near_loss_.cuts_off(counted_, outlook);
   recalled_ = recalled_ && loss;
   if (recalled_) loss->reason += ", as before this start";
-  return Seen{counted_, std::move(loss)};
+  return Seen{counted_, std::move(loss), is_cut_off};
 }
 
 }  // namespace safety_control_cloud

@@ -39,6 +39,7 @@ struct Origin {
 struct Seen {
   Sight sight;
   std::optional<Loss> loss;  ///< what it saw before and cannot see any more
+  bool is_cut_off = false;   ///< what is nearest may reach nearer than the sensor sees
 };
 
 /// What a sensor says of the way ahead, or why it cannot. "Nothing there" is a Seen, "could not look" never is.

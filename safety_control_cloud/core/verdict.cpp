@@ -10,12 +10,13 @@ Zone zone_of(const Loss& loss, const ZoneLimits& limits) {
   return loss.whole || !loss.obstacle ? Zone::Danger : zone_at(loss.obstacle->distance(), limits);
 }
 
-Decision by_obstacle(const Sight& sight, Zone zone) {
+Decision by_obstacle(const Sight& sight, Zone zone, bool is_cut_off) {
   Decision decision;
   decision.zone = zone;
   decision.cause = Cause::Seen;
   decision.reason =
       sight.nearest ? "nearest obstacle at " + measured(sight.nearest->distance(), "m") : "corridor is free";
+  if (is_cut_off) decision.reason += ", and nearer than that the camera may be blind for it";
   decision.nearest = sight.nearest;
   decision.sight = sight;
   return decision;
@@ -49,10 +50,11 @@ Decision standing_for(const Doubt& doubt, const Sight& counted) {
 
 Decision verdict_on(const Sensor& sensor, const ZoneLimits& limits) {
   if (const auto* doubt = std::get_if<Doubt>(&sensor.answer())) return standing_for(*doubt, sensor.counted());
-  const auto& [sight, loss] = std::get<Seen>(sensor.answer());
+  const auto& [sight, loss, is_cut_off] = std::get<Seen>(sensor.answer());
   const Zone seen = zone_of(sight, limits);
   const Zone lost = loss ? zone_of(*loss, limits) : Zone::Safe;
-  return lost < seen ? by_loss(sight, *loss, lost) : by_obstacle(sight, seen);
+  if (lost < seen) return by_loss(sight, *loss, lost);
+  return by_obstacle(sight, is_cut_off ? Zone::Danger : seen, is_cut_off && seen != Zone::Danger);
 }
 
 }  // namespace safety_control_cloud

@@ -18,7 +18,7 @@ TEST(Verdict, IsTheZoneOfTheNearestObstacle) {
   EXPECT_EQ(verdict_of({{0, 0, 2}}).zone, Zone::Safe);
   EXPECT_EQ(verdict_of({{0, 0, 2}, {0, 0, 0.8f}}).zone, Zone::Warning);
   EXPECT_EQ(verdict_of({{0, 0, 0.4f}}).zone, Zone::Danger);
-  EXPECT_EQ(verdict_of({{0, 0, 0.4f}}, {0.3, 0.2}).zone, Zone::Safe) << "by the limits that are given";
+  EXPECT_EQ(verdict_of({{0, 0, 0.8f}}, {0.7, 0.6}).zone, Zone::Safe) << "by the limits that are given";
   EXPECT_EQ(verdict_of({{0, 0, 0.8f}}).reason, "nearest obstacle at 0.800 m");
   EXPECT_EQ(verdict_of({{3, 0, 0.4f}}).reason, "corridor is free");
   EXPECT_EQ(verdict_of({{0, 0, 2}}).speed, 0.0) << "which is not its own to say";

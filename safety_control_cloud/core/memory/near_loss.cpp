@@ -20,6 +20,10 @@ constexpr double margin = 1.04;
 /// So far a thing comes nearer between two clouds [m]: 2 m/s. Nearer to the blind range than this it must be kept.
 constexpr double step = 0.1;
 
+/// By so much farther than it is blind a sensor shows what is cut off [m]: noise, and what a robot that slows drives
+/// between two clouds.
+constexpr double cut_off = 0.05;
+
 /// So much farther than what counts, things are watched.
 constexpr double watched = 1.6;
 
@@ -62,12 +66,20 @@ Rows NearLoss::rows_for(const View& view) const {
   return limits_.distance > 0.0 && is_picture(view) ? Rows::Apart : Rows::Joined;
 }
 
+/// [m] nearer than which the sensor sees nothing: as it is set, or as what vanished has shown.
+double NearLoss::blind_range() const { return std::max(limits_.blind_range, double{things_.blind_range()}); }
+
 /// [m] nearer than which a thing counts when it is lost.
 double NearLoss::kept_distance() const {
   return std::max({limits_.distance, limits_.blind_range + step, 1.1 * double{things_.blind_range()}});
 }
 float NearLoss::near_distance() const { return static_cast<float>(margin * kept_distance()); }
 float NearLoss::watched_distance() const { return static_cast<float>(watched * kept_distance()); }
+
+bool NearLoss::cuts_off(const Sight& sight, const Outlook& outlook) const {
+  return limits_.distance > 0.0 && sight.nearest &&
+         sight.nearest->distance() - outlook.camera().z < blind_range() + cut_off;
+}
 
 std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const Outlook& outlook, double now) {
   if (limits_.distance <= 0.0) return std::nullopt;
@@ -210,7 +222,9 @@ std::optional<Loss> NearLoss::lost(const Outlook& outlook) const {
       distance = std::min(distance, double{place_of(spot, outlook).z});
     }
     if (size == 0.0) continue;
-    const Loss loss{Cause::NearLoss, remembered_at(distance), !thing.is_seen() || 2.0 * size > thing.size,
+    const bool may_be_nearer = distance - outlook.camera().z < blind_range() + step;
+    const bool whole = !thing.is_seen() || 2.0 * size > thing.size || may_be_nearer;
+    const Loss loss{Cause::NearLoss, remembered_at(distance), whole,
                     "an obstacle has stopped returning and nothing is seen behind it"};
     nearest = nearer(nearest, loss);
   }

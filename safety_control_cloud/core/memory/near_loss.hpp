@@ -47,6 +47,10 @@ class NearLoss {
   /// Whether look() is to tell the rows of this cloud apart: judge() asks for the nearest in each.
   Rows rows_for(const View& view) const;
 
+  /// Whether the nearest that is seen begins where the sensor goes blind, so that a part of it may be nearer, unseen:
+  /// of a wall that crosses the corridor, or a bench that runs along it, something farther away is always in view.
+  bool cuts_off(const Sight& sight, const Outlook& outlook) const;
+
   /// What of the near obstacles is lost in this cloud, which look() has just seen. `now` [s], steady.
   std::optional<Loss> judge(const View& view, const Sight& sight, const Outlook& outlook, double now);
 
@@ -69,6 +73,7 @@ class NearLoss {
   std::vector<Point> lost_spots(const Outlook& outlook) const;
   void move_to(const Frame& frame);
   void write_down(bool lost, double now);
+  double blind_range() const;
   double kept_distance() const;
   float near_distance() const;
   float watched_distance() const;

@@ -58,5 +58,58 @@ TEST(BlindRange, WhoWalksOutOfThePictureHasNotVanished) {
   EXPECT_EQ(robot.sees(Scene()).speed, 0.2);
 }
 
+/// Something of it is always in view, at the same distance.
+TEST(BlindRange, RobotStandsForAWallAcrossTheCorridorThatGoesOnNearerThanTheSensorSees) {
+  for (const double blind : {0.5, 0.6}) {
+    for (const float slope : {0.6f, 1.0f, 2.0f}) {  // of the wall: how much nearer it comes on its way to the right
+      for (const bool is_organised : {true, false}) {
+        Settings settings;
+        settings.near_loss.blind_range = blind;
+        Robot robot(settings);
+        double speed = 1.0, stood_at = 0.0;
+        for (float nearest = 1.2f; nearest > 0.1f && speed > 0.0; nearest -= 0.01f) {
+          std::vector<Board> wall;
+          for (float x = -0.5f; x < 0.3f; x += 0.01f) {
+            wall.push_back({nearest + slope * (0.3f - x), x, x + 0.011f, -0.3f, floor_y});
+          }
+          const Scene scene = seen_from(static_cast<float>(blind), wall);
+          const auto points = scene.returns();
+          speed = is_organised ? robot.sees(scene).speed : robot.sees(view_of(points)).speed;
+          stood_at = double{nearest};
+        }
+        EXPECT_GT(stood_at, blind) << slope << (is_organised ? "" : ", not organised");
+        EXPECT_LT(stood_at, blind + 0.1) << slope << (is_organised ? "" : ", not organised");
+      }
+    }
+  }
+}
+
+TEST(BlindRange, WhatIsCutOffByItSaysSo) {
+  Settings settings;
+  settings.near_loss.blind_range = 0.6;
+  Robot robot(settings);
+  const Decision decision = robot.sees({board_at(0.62f)});
+  EXPECT_EQ(decision.zone, Zone::Danger);
+  EXPECT_EQ(decision.cause, Cause::Seen);
+  EXPECT_EQ(decision.reason, "nearest obstacle at 0.620 m, and nearer than that the camera may be blind for it");
+  EXPECT_EQ(Robot(settings).sees({board_at(0.66f)}).zone, Zone::Warning);
+  settings.near_loss.distance = 0.0;
+  EXPECT_EQ(Robot(settings).sees({board_at(0.62f)}).zone, Zone::Warning)
+      << "the memory is off, and blind_range with it";
+}
+
+/// What was lost nearer than the blind range and a step may be anywhere nearer.
+TEST(BlindRange, APartThatIsLostThereIsDangerThoughMostIsStillSeen) {
+  Settings settings;
+  settings.near_loss.blind_range = 0.6;
+  Robot robot(settings);
+  const auto sees = [&](float nearer) {
+    const Board part = {nearer, -0.15f, -0.08f, -0.2f, 0.1f}, rest = {0.72f, -0.08f, 0.25f, -0.2f, 0.1f};
+    return robot.sees(seen_from(0.6f, {part, rest}));
+  };
+  for (float z = 0.72f; z > 0.61f; z -= 0.02f) sees(z);
+  EXPECT_EQ(sees(0.58f).speed, 0.0);
+}
+
 }  // namespace
 }  // namespace safety_control_cloud
