@@ -9,11 +9,12 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double nearest = 0.05;                     ///< [m] before a camera: nearer, directions mean nothing
-constexpr double behind = 0.05, behind_rate = 0.03;  ///< [m] and share of the distance: more than noise
-constexpr double in_plane = 0.01;                    ///< [m] beside a scan's plane that it still meets
-constexpr int attempts = 3;                          ///< to find a pixel through a bent lens
-constexpr double close_enough = 1.5;                 ///< [px]
+constexpr double nearest = 0.05;                       ///< [m] before a camera: nearer, directions mean nothing
+constexpr double behind = 0.05, behind_rate = 0.03;    ///< [m] and share of the distance: more than noise
+constexpr double turn = 2.0 * 3.14159265358979323846;  ///< [rad]
+constexpr double in_plane = 0.01;                      ///< [m] beside a scan's plane that it still meets
+constexpr int attempts = 3;                            ///< to find a pixel through a bent lens
+constexpr double close_enough = 1.5;                   ///< [px]
 
 /// Of several pixels around a direction, one after the other.
 class Around {
@@ -54,7 +55,6 @@ std::optional<FieldOfView> picture_in(const Reading& reading, const View& view) 
 
 /// [rad] from the first bearing on, in whichever turn that lies.
 double bearing_in(const ScanView& scan, const Point& place) {
-  constexpr double turn = 2.0 * 3.14159265358979323846;
   const double beyond = std::fmod(std::atan2(place.y, place.x) - scan.first, turn);
   return scan.first + (beyond < 0.0 ? beyond + turn : beyond);
 }
@@ -97,16 +97,18 @@ AtPlace SeenAt::in_picture(const Point& place, double off) const {
 
 AtPlace SeenAt::in_scan(const Point& place, double off, double aside) const {
   const double distance = std::hypot(place.x, place.y), bearing = bearing_in(*scan_, place);
-  if (std::abs(place.z) > in_plane || bearing - aside < scan_->first || bearing + aside > scan_->last ||
-      pixels_.width() < 2)
-    return AtPlace::NotThere;
+  if (std::abs(place.z) > in_plane || pixels_.width() < 2) return AtPlace::NotThere;
   const auto last = static_cast<std::ptrdiff_t>(pixels_.width()) - 1;
-  const double beams_each = static_cast<double>(last) / (scan_->last - scan_->first);  // [1/rad]
+  const double beams_each = static_cast<double>(last) / (scan_->last - scan_->first);   // [1/rad]
+  const auto all_around = static_cast<std::ptrdiff_t>(std::lround(turn * beams_each));  // beams that a turn takes
+  const bool has_seam = all_around > last + 1;  // or else the first beam follows the last
+  if (has_seam && (bearing - aside < scan_->first || bearing + aside > scan_->last)) return AtPlace::NotThere;
   const auto at = static_cast<std::ptrdiff_t>(std::lround((bearing - scan_->first) * beams_each));
-  const auto most = static_cast<std::ptrdiff_t>(std::ceil(1.0 + aside * beams_each));
+  const auto most = static_cast<std::ptrdiff_t>(std::ceil(1.0 + std::min(aside, 0.5 * turn) * beams_each));
   Around around(distance, off);
   for (std::ptrdiff_t beside = -most; beside <= most; ++beside) {
-    const Point seen = pixels_.near(0, (scan_->descending ? last - at : at) + beside);
+    const std::ptrdiff_t beam = has_seam ? at + beside : (at + beside + 2 * all_around) % all_around;
+    const Point seen = pixels_.near(0, scan_->descending ? last - beam : beam);
     around.add(returned(seen), std::hypot(seen.x, seen.y));
   }
   return around.answer();

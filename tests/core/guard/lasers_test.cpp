@@ -29,7 +29,7 @@ TEST(Lasers, ALaserSeesBesideAndBehind) {
 /// Some drivers count bearings from 0 to a whole turn.
 TEST(Lasers, ALaserSeesWhatHasGoneFromWhereverItsBearingsBegin) {
   for (const double first : {-pi, 0.0, -0.5 * pi}) {
-    for (const std::size_t bearing : {30, 100, 200, 290, 345}) {  // [degrees] from the first on
+    for (const std::size_t bearing : {30, 100, 200, 290, 345, 354, 357}) {  // [degrees] from the first on
       RobotWithSensors robot;
       robot.first_bearing = first;
       const auto stands = [&] {
@@ -38,7 +38,7 @@ TEST(Lasers, ALaserSeesWhatHasGoneFromWhereverItsBearingsBegin) {
           robot.drives_on({});
         }
       };
-      for (std::size_t i = 0; i < 7; ++i) robot.ranges[bearing + i] = 0.45f;
+      for (std::size_t i = 0; i < 7; ++i) robot.ranges[(bearing + i) % 360] = 0.45f;
       stands();
       std::fill(robot.ranges.begin(), robot.ranges.end(), 5.0f);
       stands();
