@@ -85,14 +85,15 @@ void GuardControl::see(const Reading& reading, const Origin& origin, const Insta
   const auto pose = memory_.note(sensor, *look, went, now);
   const bool is_any_lost = sensors_[sensor].note_pose(pose, now.steady);
   if (!is_any_lost || !pose || !memory_.remembers()) return;
-  sensors_[sensor].explain_loss(memory_.resting(look->outlook, *pose, now), settings_.memory_time, now.steady);
+  const auto robot = memory_.by_odometry_at(look->stamp, went);
+  sensors_[sensor].explain_loss(memory_.resting(look->outlook, *robot, now), settings_.memory_time, now.steady);
 }
 
 void GuardControl::explain_blindness(std::size_t sensor, const Origin& origin, const Instant& now) {
   GuardSensor& blind = sensors_[sensor];
   const auto outlook = blind.outlook_if_blind(origin.placing);
-  const auto pose = memory_.pose_at(blind.taken_at(origin, now), {odometry_, given_});
-  if (outlook && pose) blind.explain_blindness(memory_.resting(*outlook, *pose, now));
+  const auto robot = memory_.by_odometry_at(blind.taken_at(origin, now), {odometry_, given_});
+  if (outlook && robot) blind.explain_blindness(memory_.resting(*outlook, *robot, now));
 }
 
 void GuardControl::want(const Command& wanted, const Instant& now, std::optional<double> stamp) {

@@ -67,27 +67,29 @@ void GuardMemory::choose_whereabouts(double stamp, const Went& went, const Insta
   const bool speaks = goes_on && odometry.pose_at(stamp);
   const bool holds_any = out_of_sight_.holds_any(now.steady);
   if (speaks == by_odometry_ || (by_odometry_ && holds_any)) return;
-  if (const auto there = odometry.pose_at(now.ros); speaks && holds_any && there) {
+  by_odometry_ = speaks;
+  if (const auto there = by_odometry_at(now.ros, went); holds_any && there) {
     out_of_sight_.go_on_in_frame(went.given.whereabouts_at(now.steady), *there, now.steady);
   } else {
     out_of_sight_.forget();
   }
-  by_odometry_ = speaks;
 }
 
 /// `age` [s] ago.
 std::optional<Whereabouts> GuardMemory::whereabouts_at(double age, const Went& went, const Instant& now) const {
   if (!by_odometry_) return went.given.whereabouts_at(now.steady - age);
-  const auto pose = pose_at(now.ros - age, went);
-  return pose ? std::optional(Whereabouts{*pose, {}, odometry_drift_}) : std::nullopt;
+  return by_odometry_at(now.ros - age, went);
 }
 
-std::optional<Pose2> GuardMemory::pose_at(double stamp, const Went& went) const {
-  return by_odometry_ ? went.odometry.pose_at(stamp) : std::nullopt;
+std::optional<Whereabouts> GuardMemory::by_odometry_at(double stamp, const Went& went) const {
+  const auto pose = by_odometry_ ? went.odometry.pose_at(stamp) : std::nullopt;
+  if (!pose) return std::nullopt;
+  return Whereabouts{*pose, {}, odometry_drift_, went.odometry.unexplained_until(stamp)};
 }
 
-std::vector<KnownPlace> GuardMemory::resting(const Outlook& sensor, const Pose2& pose, const Instant& now) const {
-  return out_of_sight_.resting(sensor, {pose, {}, odometry_drift_}, now.steady);
+std::vector<KnownPlace> GuardMemory::resting(const Outlook& sensor, const Whereabouts& robot,
+                                             const Instant& now) const {
+  return out_of_sight_.resting(sensor, robot, now.steady);
 }
 
 /// Not every sensor that is required has looked since odometry goes on.

@@ -43,10 +43,10 @@ class GuardMemory {
   bool remembers() const { return out_of_sight_.remembers(); }
 
   /// Where the robot was at a stamp [s, ROS], by odometry; none: nobody knows.
-  std::optional<Pose2> pose_at(double stamp, const Went& went) const;
+  std::optional<Whereabouts> by_odometry_at(double stamp, const Went& went) const;
 
   /// What was seen to rest, as a sensor has it that looks from there.
-  std::vector<KnownPlace> resting(const Outlook& sensor, const Pose2& pose, const Instant& now) const;
+  std::vector<KnownPlace> resting(const Outlook& sensor, const Whereabouts& robot, const Instant& now) const;
 
   /// `shows`: of each sensor, whether its latest look is believed still. Holds until it is asked again.
   std::vector<Known> known_at(const Instant& now, const Went& went, const std::vector<GuardSensor>& sensors,

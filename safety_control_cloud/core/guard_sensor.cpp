@@ -122,7 +122,8 @@ Look GuardSensor::take(const Reading& reading, const Origin& origin, const Outlo
                  given.reckoned_at(now.steady - on_its_way)};
   const double measures_from =
       own_.input == InputKind::Scan ? least_of_scan : own_.near_loss.blind_range + least_beyond;
-  return {reading, view, outlook, stamp, measures_from, taken_->lasts};
+  const double may_last = on_its_way > long_on_its_way ? std::max(on_its_way, taken_->lasts) : taken_->lasts;
+  return {reading, view, outlook, stamp, measures_from, may_last};
 }
 
 double GuardSensor::taken_at(const Origin& origin, const Instant& now) const {

@@ -19,14 +19,16 @@ std::vector<Pose2> ways_between(const Whereabouts& then, const Whereabouts& now)
 
 void LooksTaken::take_placed(std::size_t sensor, const Whereabouts& robot, double now) {
   drift_ = drift_until(robot);
-  pose_ = robot.pose;
+  robot_ = robot;
   add(sensor, robot, now);
 }
 
 Drift LooksTaken::drift_until(const Whereabouts& robot) const {
-  if (!pose_) return drift_;
-  const Pose2 way = between(*pose_, robot.pose);
-  return {drift_.place + robot.drift * length_of(way.place), drift_.heading + robot.drift * std::abs(way.heading)};
+  if (!robot_) return drift_;
+  const Pose2 way = between(robot_->pose, robot.pose);
+  const Drift &before = robot_->unexplained, &now = robot.unexplained;
+  return {drift_.place + robot.drift * length_of(way.place) + std::max(0.0, now.place - before.place),
+          drift_.heading + robot.drift * std::abs(way.heading) + std::max(0.0, now.heading - before.heading)};
 }
 
 void LooksTaken::add(std::size_t sensor, const Whereabouts& robot, double now) {
@@ -35,9 +37,9 @@ void LooksTaken::add(std::size_t sensor, const Whereabouts& robot, double now) {
 }
 
 /// What the way until now may be off by is for those to keep who know a place.
-void LooksTaken::go_on_in_frame(const Pose2& there) {
-  pose_ = there;
-  for (Taken& look : taken_) look = {look.sensor, look.at, {there}, drift_};
+void LooksTaken::go_on_in_frame(const Whereabouts& there) {
+  robot_ = there;
+  for (Taken& look : taken_) look = {look.sensor, look.at, {there.pose}, drift_};
 }
 
 void LooksTaken::forget_before(double moment) {

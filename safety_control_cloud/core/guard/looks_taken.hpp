@@ -13,11 +13,6 @@
 
 namespace safety_control_cloud {
 
-/// By how much a way may be off.
-struct Drift {
-  double place = 0.0, heading = 0.0;  ///< [m], [rad]
-};
-
 /// The looks of all sensors, numbered as they came, and where the robot was at each.
 class LooksTaken {
  public:
@@ -35,7 +30,7 @@ class LooksTaken {
   void take_placed(std::size_t sensor, const Whereabouts& robot, double now);
 
   /// From now on another frame rests, in which the robot is `there`.
-  void go_on_in_frame(const Pose2& there);
+  void go_on_in_frame(const Whereabouts& there);
 
   /// Those before `moment` [s, steady] are of no interest any more, but for the latest.
   void forget_before(double moment);
@@ -61,7 +56,7 @@ class LooksTaken {
   std::deque<Taken> taken_;  ///< the latest of them
   std::uint64_t latest_ = 0;
   std::map<std::size_t, std::uint64_t> latest_of_;  ///< of each sensor
-  std::optional<Pose2> pose_;                       ///< of the latest that was placed
+  std::optional<Whereabouts> robot_;                ///< at the latest that was placed
   Drift drift_;                                     ///< of the way until there
 };
 

@@ -17,7 +17,7 @@ struct Look {
   Outlook outlook;
   double stamp;          ///< [s] ROS time, of when it was taken
   double measures_from;  ///< [m] from here on, what is there returns
-  double lasts = 0.0;    ///< [s] from its first return to its last
+  double lasts = 0.0;    ///< [s] from its stamp on in which its returns may have been taken
 };
 
 /// Which returns are near.

@@ -14,6 +14,7 @@ constexpr std::size_t most = 5000;    ///< of them, however often they come
 constexpr double longest_gap = 0.25;  ///< [s] over which a twist is taken to last
 constexpr double most_off = 0.1;      ///< [m], [rad] by which a pose may miss what the twists before and after explain
 constexpr double most_off_rate = 0.25;  ///< the same, as a share of what they explain
+constexpr double noise = 0.01;          ///< [m], [rad] of a pose
 
 bool is_finite(const Pose2& pose) { return is_finite(pose.place) && std::isfinite(pose.heading); }
 
@@ -22,13 +23,19 @@ double wrapped(double angle) { return std::remainder(angle, 2.0 * 3.141592653589
 }  // namespace
 
 void Odometry::note(double stamp, const Pose2& pose, const Twist2& twist) {
-  const Noted next{stamp, pose, twist};
+  Noted next{stamp, pose, twist};
   if (!std::isfinite(stamp) || !is_finite(pose) || !is_sound(twist)) {
     forget();
     return;
   }
   if (!noted_.empty() && !goes_on(next)) forget();
-  if (noted_.empty()) since_ = stamp;
+  if (noted_.empty()) {
+    since_ = stamp;
+  } else {
+    const Drift before = noted_.back().unexplained, since = unexplained_by(next);
+    next.unexplained = {before.place + (since.place > noise ? since.place : 0.0),
+                        before.heading + (since.heading > noise ? since.heading : 0.0)};
+  }
   noted_.push_back(next);
   if (noted_.size() > 1) {  // headings go on beyond a full turn, so that the way between two poses is the short one
     const double before = noted_[noted_.size() - 2].pose.heading;
@@ -52,16 +59,28 @@ void Odometry::forget() {
   noted_.clear();
 }
 
-bool Odometry::goes_on(const Noted& next) const {
+/// Of the way from the latest on.
+Drift Odometry::unexplained_by(const Noted& next) const {
   const Noted& last = noted_.back();
-  const double time = next.stamp - last.stamp;
-  if (!(time > 0.0 && time <= longest_gap)) return false;
   const Pose2 way = between(last.pose, next.pose);
   const double speed = std::max(speed_of(last.twist), speed_of(next.twist));
   const double turning = std::max(std::abs(last.twist.w), std::abs(next.twist.w));
-  const double share = 1.0 + most_off_rate;
-  return length_of(way.place) <= share * speed * time + most_off &&
-         std::abs(wrapped(way.heading)) <= share * turning * time + most_off;
+  const double explained = (1.0 + most_off_rate) * (next.stamp - last.stamp);
+  return {length_of(way.place) - explained * speed, std::abs(wrapped(way.heading)) - explained * turning};
+}
+
+bool Odometry::goes_on(const Noted& next) const {
+  const double time = next.stamp - noted_.back().stamp;
+  if (!(time > 0.0 && time <= longest_gap)) return false;
+  const Drift unexplained = unexplained_by(next);
+  return unexplained.place <= most_off && unexplained.heading <= most_off;
+}
+
+Drift Odometry::unexplained_until(double stamp) const {
+  if (noted_.empty()) return {};
+  const auto after = std::upper_bound(noted_.begin(), noted_.end(), stamp,
+                                      [](double moment, const Noted& noted) { return moment < noted.stamp; });
+  return after == noted_.begin() ? after->unexplained : std::prev(after)->unexplained;
 }
 
 bool Odometry::is_fresh(double now) const {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "pose.hpp"
+#include "whereabouts.hpp"
 
 namespace safety_control_cloud {
 
@@ -26,6 +27,10 @@ class Odometry {
 
   /// The pose at `stamp` [s, ROS time], at most a gap after the latest; none if that is not known.
   std::optional<Pose2> pose_at(double stamp) const;
+
+  /// What no twist explains of the way until `stamp` [s, ROS time], since it goes on: too little for a jump, which may
+  /// come again.
+  Drift unexplained_until(double stamp) const;
 
   /// Whether it speaks at `now` [s, ROS time].
   bool is_fresh(double now) const;
@@ -48,8 +53,10 @@ class Odometry {
     double stamp;
     Pose2 pose;
     Twist2 twist;
+    Drift unexplained = {};  ///< of all the way until there
   };
 
+  Drift unexplained_by(const Noted& next) const;
   bool goes_on(const Noted& next) const;
   void forget();
   Pose2 interpolated(double stamp) const;

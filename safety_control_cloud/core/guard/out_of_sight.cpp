@@ -14,10 +14,11 @@ constexpr std::size_t most = 30000;          ///< places
 constexpr std::uint8_t believed = 2;         ///< looks that show a place, or what is behind it
 /// [m] Places are told apart by these; what may be off by more than the last is as the one that is off the most.
 constexpr std::array<double, 12> displaced = {0.015, 0.02, 0.03, 0.045, 0.07, 0.12, 0.2, 0.3, 0.45, 0.7, 1.0, 1.5};
-constexpr double well_known = 0.2;   ///< [m] what may be off by more explains nothing that is lost
-constexpr double absent_for = 1.25;  ///< [s] without a return where there would be one
-constexpr double rests_for = 0.3;    ///< [s] between two looks that show the same place
-constexpr double own_size = 0.01;    ///< [m] by which a return may lie beside the place of its cell
+constexpr double well_known = 0.2;    ///< [m] what may be off by more explains nothing that is lost
+constexpr double absent_for = 1.25;   ///< [s] without a return where there would be one
+constexpr double rests_for = 0.3;     ///< [s] between two looks that show the same place
+constexpr double own_size = 0.01;     ///< [m] by which a return may lie beside the place of its cell
+constexpr double well_placed = 0.02;  ///< [m] odometry that drifted by no more has a place where it is
 
 std::uint64_t key_of(const Point2& place, double height) {
   const auto part = [](double value) { return static_cast<std::uint64_t>(std::llround(value)) & 0x1fffffU; };
@@ -94,11 +95,14 @@ std::uint8_t OutOfSight::looks_of(const Place& before) const {
   return static_cast<std::uint8_t>(std::min<int>(looks, believed));
 }
 
-/// Where nobody knows quite where the robot is, only what would be shown wherever that is.
+/// Where nobody knows quite where the robot is, or was, only what would be shown wherever that is: `beside` tells how
+/// far off in depth, and places to both sides are asked about too. A scan is told by how much it lies `aside`. Of who
+/// has no odometry, the ways that it may have gone tell.
 void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Whereabouts& robot, double now,
                                     const Pose2& meanwhile) {
   const SeenAfter seen_after(robot.pose);
   WaySince way_since(looks_, robot);
+  const bool is_scan = std::holds_alternative<ScanView>(look.reading);
   const auto from_camera = [&](const Point2& here, float height) {
     return look.outlook.seen_from_camera(in_axes(here, height));
   };
@@ -109,13 +113,21 @@ void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, con
       continue;
     }
     const Point2 here = seen_after({place.x, place.y});
-    const double range = length_of(here), beside = way_since.beside(place.look, range) + displacement(meanwhile, range);
+    const double range = length_of(here), by_way = way_since.beside(place.look, range);
+    const double by_look = displacement(meanwhile, range), drifted = way_since.off(place.look, range) - by_way;
+    const double by_drift = robot.or_else.empty() && drifted > well_placed ? drifted : 0.0;
+    const double beside = by_way + by_look + by_drift, sideways = by_drift + (is_scan ? 0.0 : by_look);
     const Point there = from_camera(here, place.z);
     const double aside = std::abs(meanwhile.heading) + length_of(meanwhile.place) / std::max(range, own_size);
     AtPlace seen = seen_at(there, beside, aside);
-    for (const Pose2& way : way_since.or_else(place.look)) {
-      if (seen == AtPlace::NotThere) break;
-      seen = std::min(seen, seen_at(from_camera(SeenAfter(way)(here), place.z), beside, aside));
+    const auto ask_also_at = [&](const Point2& at) {
+      if (seen != AtPlace::NotThere) seen = std::min(seen, seen_at(from_camera(at, place.z), beside, aside));
+    };
+    for (const Pose2& way : way_since.or_else(place.look)) ask_also_at(SeenAfter(way)(here));
+    if (sideways > 0.0) {
+      const Point2 left = (sideways / std::max(range, own_size)) * Point2{-here.y, here.x};
+      ask_also_at(here + left);
+      ask_also_at(here - left);
     }
     const bool is_measured = there.getVector3fMap().norm() >= static_cast<float>(look.measures_from + beside);
     it = has_gone(place, seen, is_measured, now) ? places_.erase(it) : std::next(it);
@@ -157,12 +169,12 @@ void OutOfSight::for_each(const Whereabouts& robot, double now, Visit visit) con
 }
 
 /// What each may be off by until now stays with it.
-void OutOfSight::go_on_in_frame(const Whereabouts& robot, const Pose2& there, double now) {
+void OutOfSight::go_on_in_frame(const Whereabouts& robot, const Whereabouts& there, double now) {
   decltype(places_) places;
-  const Turn turn(there.heading);
+  const Turn turn(there.pose.heading);
   for_each(robot, now, [&](const Place& place, const Here& here) {
     Place moved = place;
-    const Point2 at = there.place + turn(here.place);
+    const Point2 at = there.pose.place + turn(here.place);
     moved.x = at.x, moved.y = at.y;
     moved.off = here.off - own_size;
     places.emplace(key_of(at, place.z), moved);

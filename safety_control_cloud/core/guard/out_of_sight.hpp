@@ -46,7 +46,7 @@ class OutOfSight {
   void forget() { *this = OutOfSight(limits_); }
 
   /// From now on another frame rests, in which the robot is `there`.
-  void go_on_in_frame(const Whereabouts& robot, const Pose2& there, double now);
+  void go_on_in_frame(const Whereabouts& robot, const Whereabouts& there, double now);
 
   /// Whether anything would be kept.
   bool remembers() const { return limits_.vicinity.distance > 0.0 && limits_.time > 0.0; }

@@ -19,11 +19,12 @@ struct GuardedRobot {
 
   GuardControl control;
   Instant now{100.0, 1000.0};
+  double stamp_behind = 0.0;  ///< [s]
 
   void pass(double seconds) { now.steady += seconds, now.ros += seconds; }
 
   void see(const CloudView& view, const Placing& placing = xtion(), std::size_t sensor = 0) {
-    control.see(view, {now.ros, placing, "camera", "camera_depth_optical_frame"}, now, sensor);
+    control.see(view, {now.ros - stamp_behind, placing, "camera", "camera_depth_optical_frame"}, now, sensor);
   }
   void see(const Scene& scene) { see(scene.view()); }
 

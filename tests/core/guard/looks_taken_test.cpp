@@ -53,7 +53,7 @@ TEST(WaySince, InAnotherFrameTheWayBeginsAnew) {
   LooksTaken looks;
   looks.take_placed(front, {{{0.0, 0.0}, 0.0}, {{{-0.2, 0.0}, 0.0}}, 0.1}, 10.0);
   looks.take_placed(front, {{{1.0, 0.0}, 0.0}, {{{0.5, 0.0}, 0.0}}, 0.1}, 11.0);
-  looks.go_on_in_frame({{30.0, 0.0}, 0.0});
+  looks.go_on_in_frame({{{30.0, 0.0}, 0.0}});
   const Whereabouts now = at(31.0);
   WaySince way(looks, now);
   for (const std::uint64_t look : {1, 2}) EXPECT_NEAR(way.off(look, 1.0), 0.1, 1e-12) << look;

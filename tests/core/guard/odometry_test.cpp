@@ -105,5 +105,26 @@ TEST(Odometry, AHalfTurnIsNoJump) {
   EXPECT_NEAR(way->heading, 0.38, 1e-9);
 }
 
+TEST(Odometry, TellsWhatNoTwistExplains) {
+  Odometry odometry;
+  drive(odometry, {0.4, 0.0, 0.5}, 10.0, 1.0);
+  EXPECT_EQ(odometry.unexplained_until(11.0).place, 0.0);
+  const Pose2 there = way_of({0.4, 0.0, 0.5}, 1.0);
+  for (int i = 1; i <= 3; ++i)
+    odometry.note(11.0 + 0.02 * i, {{there.place.x + 0.09 * i, there.place.y}, there.heading}, {});
+  EXPECT_EQ(odometry.breaks(), std::size_t{0});
+  EXPECT_NEAR(odometry.unexplained_until(11.06).place, 3 * 0.09 - 1.25 * 0.02 * 0.4, 1e-6);
+  EXPECT_NEAR(odometry.unexplained_until(11.03).place, 0.09 - 1.25 * 0.02 * 0.4, 1e-6) << "between two of them";
+  EXPECT_EQ(odometry.unexplained_until(11.06).heading, 0.0);
+  EXPECT_EQ(odometry.unexplained_until(10.5).place, 0.0);
+}
+
+TEST(Odometry, NoiseOfAPoseIsExplained) {
+  Odometry odometry;
+  for (int i = 0; i < 500; ++i) odometry.note(10.0 + 0.02 * i, {{0.004 * (i % 2), 0.0}, -0.004 * (i % 2)}, {});
+  EXPECT_EQ(odometry.unexplained_until(20.0).place, 0.0);
+  EXPECT_EQ(odometry.unexplained_until(20.0).heading, 0.0);
+}
+
 }  // namespace
 }  // namespace safety_control_cloud

@@ -184,5 +184,53 @@ TEST(OutOfSight, ResetForgets) {
   EXPECT_EQ(robot.asked({0.0, -0.7, 0.0}).factor, 1.0);
 }
 
+/// Of which each by itself is no jump.
+TEST(OutOfSight, WhatNoMotionOfOdometryExplainsAddsUp) {
+  double before = 1.0;
+  for (const int jumps : {0, 2, 4}) {
+    RobotWithOdometry robot;
+    robot.passes(0.5, with_post);
+    robot.turns(quarter, robot.hall);
+    for (int i = 0; i < jumps; ++i) {
+      robot.pose.place.x -= 0.09;  // away from the post
+      robot.passes(0.5, robot.hall);
+    }
+    const double factor = robot.asked({0.0, -0.7, 0.0}).factor;
+    EXPECT_LE(factor, before) << jumps;
+    before = factor;
+  }
+  EXPECT_LT(before, 1.0);
+}
+
+/// A camera whose clock lies behind: where the robot was when it looked is known the less.
+TEST(OutOfSight, AStampThatMayBeOffPlacesAThingTheLessSurely) {
+  for (const double behind : {0.0, 0.5}) {
+    RobotWithOdometry robot;
+    robot.stamp_behind = behind;
+    robot.passes(1.0, robot.hall);
+    robot.turns(quarter, with_post);
+    robot.turns(quarter, robot.hall);
+    const Guarded& answer = robot.asked({0.0, -0.7, 0.0});
+    EXPECT_LT(answer.factor, 0.95) << behind << ": " << answer.reason;
+  }
+}
+
+/// It may lie beside where it is looked for, outside the picture.
+TEST(OutOfSight, WhereOdometryMayHaveDriftedALookPastAPlaceProvesTheLess) {
+  const double aside = 0.4;  // [rad]
+  for (const double drift : {0.0, 0.05}) {
+    Settings settings = remembering();
+    settings.odometry_drift = drift;
+    RobotWithOdometry robot(settings);
+    robot.passes(0.5, with_post);
+    const Scene wall({wall_before(1.5)});
+    for (int i = 0; i < 3; ++i) robot.turns(quarter, robot.hall);
+    robot.turns(quarter - aside, wall);
+    robot.passes(1.0, wall);
+    const Twist2 there{0.6 * std::cos(aside), 0.6 * std::sin(aside), 0.0};
+    EXPECT_EQ(robot.wants(there).factor<1.0, drift> 0.0) << robot.wants(there).reason;
+  }
+}
+
 }  // namespace
 }  // namespace safety_control_cloud

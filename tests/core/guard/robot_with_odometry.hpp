@@ -21,24 +21,26 @@ struct RobotWithOdometry : GuardedRobot {
   explicit RobotWithOdometry(const Settings& settings = remembering()) : GuardedRobot(settings) {}
 
   Pose2 pose;
+  Twist2 twist;
   bool has_odometry = true;
 
   void passes(double seconds, const Scene& scene) {
     for (double t = 0.0; t < seconds; t += 0.05) {
       pass(0.05);
-      if (has_odometry) control.note_odometry(now.ros, pose, {});
+      if (has_odometry) control.note_odometry(now.ros, pose, twist);
       see(scene);
       wants({});
     }
   }
 
-  /// Slowly enough to be believed.
   void turns(double angle, const Scene& scene) {
     const int steps = 40;
+    twist = {0.0, 0.0, angle / steps / 0.05};
     for (int i = 0; i < steps; ++i) {
       pose.heading += angle / steps;
       passes(0.05, scene);
     }
+    twist = {};
   }
 
   const Guarded& asked(const Twist2& twist) {
