@@ -19,6 +19,7 @@ constexpr int dense = 6;
 /// rays.
 constexpr std::size_t none_share = 5;
 constexpr std::size_t enough_rays = 12;
+constexpr std::size_t few_spots = 4;  ///< fewer lie between rays by chance, on one way or another
 constexpr float as_near = 1.01f;
 
 /// Of the 3 x 3 pixels around a spot.
@@ -40,11 +41,20 @@ struct Around {
   }
 };
 
+/// Whether a place lies so far within the picture's margins, in which nothing ever returns.
+bool is_within(const Pixels& picture, std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t by) {
+  const Framing& frame = picture.framing();
+  const auto at_least = [by](std::ptrdiff_t at, std::size_t margin) {
+    return at - by >= static_cast<std::ptrdiff_t>(margin);
+  };
+  return at_least(row, frame.top) && at_least(static_cast<std::ptrdiff_t>(picture.height()) - 1 - row, frame.bottom) &&
+         at_least(column, frame.left) &&
+         at_least(static_cast<std::ptrdiff_t>(picture.width()) - 1 - column, frame.right);
+}
+
 /// Whether nothing returns at a place in the picture, nor within so many pixels on two sides of it.
 bool is_hole(const Pixels& picture, std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t within) {
-  const auto height = static_cast<std::ptrdiff_t>(picture.height()),
-             width = static_cast<std::ptrdiff_t>(picture.width());
-  if (row < within || column < within || row + within >= height || column + within >= width) return false;
+  if (!is_within(picture, row, column, within)) return false;
   bool across = true, along = true;
   for (std::ptrdiff_t i = -within; i <= within && (across || along); ++i) {
     across = across && !returned(picture.near(row, column + i));
@@ -58,15 +68,23 @@ bool is_between_rays(float right, float down, const Pixels& picture) {
   if (picture.hits()->any(right, down)) return false;
   const Point along(right, down, 1.0f);
   const std::ptrdiff_t row = picture.hits()->grid().row(along), column = picture.hits()->grid().column(along);
+  if (!is_within(picture, row, column, 1)) return false;  // a border's cells are not all within the picture
   const auto filled = [&](std::ptrdiff_t i, std::ptrdiff_t j) { return returned(picture.near(i, j)); };
   return (filled(row, column - 1) && filled(row, column + 1)) || (filled(row - 1, column) && filled(row + 1, column));
+}
+
+/// From its middle a hole reaches as far on both sides at least [pixels], along a thing, however thin that is across:
+/// the more pixels a picture has, the more of them return nothing by chance, three in a row somewhere on every way.
+std::ptrdiff_t reach_of_hole(const Pixels& picture) {
+  constexpr std::ptrdiff_t coarse = 160;  // pixels across, of which three are 9 mm at 0.4 m
+  return std::max<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(picture.width()) / coarse);
 }
 
 /// Whether there is a hole where the thing would have moved to.
 bool hole_on_the_way(const Spot& spot, const Pixels& picture, std::ptrdiff_t within) {
   if (spot.company < dense) return false;
-  const double down = spot.row - 0.5 * static_cast<double>(picture.height());
-  const double right = spot.column - 0.5 * static_cast<double>(picture.width());
+  const double down = spot.row - picture.framing().middle_row;
+  const double right = spot.column - picture.framing().middle_column;
   const auto steps = static_cast<int>(std::ceil(growth * std::max(std::abs(down), std::abs(right))));
   for (int i = 0; i <= steps; ++i) {
     const double part = growth * i / std::max(1, steps);
@@ -81,7 +99,7 @@ bool hole_on_the_way(const Spot& spot, const Pixels& picture, std::ptrdiff_t wit
 /// known.
 template <class AskRays>
 bool any_way_between_rays(std::vector<Spot> spots, const Pixels& picture, AskRays ask_rays) {
-  if (!picture.hits() || spots.empty()) return false;
+  if (!picture.hits() || spots.size() < few_spots) return false;
   const auto is_nearer = [](const Spot& a, const Spot& b) { return a.point.z < b.point.z; };
   std::sort(spots.begin(), spots.end(), is_nearer);
   const float nearest = spots.front().point.z, farthest_way = nearest * static_cast<float>(growth / (1.0 + growth));
@@ -103,8 +121,7 @@ bool any_way_between_rays(std::vector<Spot> spots, const Pixels& picture, AskRay
 }  // namespace
 
 bool leaves_a_hole(const Spot& spot, const Pixels& picture) {
-  constexpr std::ptrdiff_t wide = 2;
-  return hole_on_the_way(spot, picture, wide);
+  return hole_on_the_way(spot, picture, 2 * reach_of_hole(picture));
 }
 
 bool may_lie_between_rays(std::vector<Spot> spots, const Pixels& picture) {
@@ -120,7 +137,7 @@ bool may_stand_between_rays(std::vector<Spot> spots, const std::vector<std::size
 }
 
 bool leaves_at_the_top(const Spot& spot, const Pixels& picture) {
-  const double middle = 0.5 * static_cast<double>(picture.height());
+  const double middle = picture.framing().middle_row;
   return (1.0 + growth) * (middle - spot.row) > middle;
 }
 
@@ -136,7 +153,7 @@ Evidence evidence_of(const Spot& spot, const Pixels& picture) {
   const int enough = (spot.company + 1) / 2;
   if (there + before >= enough) return there > 0 ? Evidence::There : Evidence::Hidden;
   if (around.count == 0 || 4 * around.agreeing() < 3 * spot.company) return Evidence::Nothing;
-  if (hole_on_the_way(spot, picture, 1)) return Evidence::Nothing;
+  if (hole_on_the_way(spot, picture, reach_of_hole(picture))) return Evidence::Nothing;
   return Evidence::Past;
 }
 

@@ -18,6 +18,9 @@ constexpr std::size_t border_share_of_width = 8;
 constexpr std::size_t stereo_share_of_width = 16;
 constexpr std::uint8_t certain = 3;  ///< clouds that have shown the floor
 
+/// Where the floor is hidden, three pixels in four and more are blank, whatever stray ranges the others return.
+constexpr std::size_t enough_pixels = 12;
+
 /// A row's floor rises by this in a cloud in which none is seen as low [mm]: after a bump it is back in a second.
 constexpr NearGround::Code forgotten = 1;
 
@@ -35,9 +38,11 @@ void FloorStrip::survey(const NearGround& ground) {
   for (auto* counts : {&shown_, &foot_, &blank_}) counts->assign(ground.columns(), 0);
   if (expected_.size() != ground.columns()) {
     expected_.assign(ground.columns(), 0);
+    blank_lately_.assign(ground.columns(), 0);
     std::fill(lowest_.begin(), lowest_.end(), Code{0});
   }
   rows_.clear();
+  middle_ = ground.middle_column();
   above_border_ = false;
   Code floor = 0;  // the lowest of all rows so far
   for (std::size_t row = 0; row < ground.rows(); ++row) {
@@ -51,6 +56,22 @@ void FloorStrip::survey(const NearGround& ground) {
     rows_.push_back(ground.picture_row(row));
   }
   expect(ground.columns());
+  note_blank();
+}
+
+/// Of a few columns together, no wider than a post: of fewer pixels, chance blanks too many.
+void FloorStrip::note_blank() {
+  for (std::uint8_t& clouds : blank_lately_) clouds = static_cast<std::uint8_t>(clouds - (clouds > 0));
+  const std::size_t rows = rows_.size(), wide = rows == 0 ? blank_.size() : (enough_pixels + rows - 1) / rows;
+  if (wide > std::max<std::size_t>(2, blank_.size() / post_share_of_width)) return;
+  std::size_t blank = 0;
+  for (std::size_t i = 0; i < blank_.size(); ++i) {
+    blank += blank_[i];
+    if (i + 1 < wide) continue;
+    if (4 * blank >= 3 * wide * rows)
+      std::fill_n(blank_lately_.begin() + static_cast<std::ptrdiff_t>(i + 1 - wide), wide, lately);
+    blank -= blank_[i + 1 - wide];
+  }
 }
 
 /// The lowest ground return of a row, as far as it is remembered.
@@ -102,20 +123,19 @@ void FloorStrip::expect(std::size_t columns) {
   }
 }
 
-bool FloorStrip::is_seen_again(std::size_t column) const {
+bool FloorStrip::is_seen_again(std::size_t column, bool among_strays) const {
   const auto again = [this](std::size_t i) {
     const auto [shown, hidden] = this->column(i);
     return shown > 0 && 8 * hidden <= shown;
   };
   if (!again(column)) return false;
-  const std::size_t columns = shown_.size();
-  const double out = (static_cast<double>(column) - 0.5 * static_cast<double>(columns)) * 0.25;
+  const double out = (static_cast<double>(column) - middle_) * 0.25;
   const double least = static_cast<double>(column) + std::min(out, 0.0) - 1.0;
   const double most = static_cast<double>(column) + std::max(out, 0.0) + 1.0;
   const auto begin = std::max(first_, static_cast<std::size_t>(std::max(0.0, std::floor(least))));
   const auto end = std::min(last_, static_cast<std::size_t>(std::ceil(most)) + 1);
   for (std::size_t i = begin; i < end; ++i) {
-    if (blank_[i] == rows_.size()) return false;
+    if (blank_[i] == rows_.size() || (among_strays && blank_lately_[i] > 0)) return false;
   }
   return true;
 }

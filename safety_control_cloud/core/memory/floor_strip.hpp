@@ -22,6 +22,9 @@ class FloorStrip {
     int hidden;  ///< it is expected, and now it is not seen
   };
 
+  /// For so many clouds a column that was mostly blank may count as that: strays fill it now and then.
+  static constexpr std::uint8_t lately = 8;
+
   /// Finds the floor again in the latest picture.
   void survey(const NearGround& ground);
 
@@ -30,7 +33,8 @@ class FloorStrip {
 
   /// Whether the floor is seen again in a column, and is blank nowhere right beside it and farther out: what stood in
   /// it may have come nearer, and what comes nearer grows and moves away from the middle of the picture.
-  bool is_seen_again(std::size_t column) const;
+  /// `among_strays`: blank is also what mostly was it lately.
+  bool is_seen_again(std::size_t column, bool among_strays = false) const;
 
   /// Where the strip is blank over the width of a post: something stands nearer than the camera can see. Above rows
   /// that return nothing only where the floor has been seen before: such a camera leaves gaps beside it too. From left
@@ -44,18 +48,21 @@ class FloorStrip {
   Code learned(const NearGround& ground, std::size_t row);
   void count_row(const NearGround& ground, std::size_t row);
   void expect(std::size_t columns);
+  void note_blank();
   bool is_border(std::size_t column, std::size_t size) const;
   bool shows_floor(std::size_t i) const;
 
   std::vector<Code> lowest_;  ///< ground of each row; 0 = none
   std::vector<std::size_t> rows_;
+  double middle_ = 0.0;               ///< the column that looks straight ahead
   bool above_border_ = false;         ///< the lowest rows return nothing
   std::size_t first_ = 0, last_ = 0;  ///< the columns in which the floor is expected
   // Of each column.
   std::vector<Count> shown_;
-  std::vector<Count> foot_;             ///< return something nearer than the floor
-  std::vector<Count> blank_;            ///< return nothing
-  std::vector<std::uint8_t> expected_;  ///< so many clouds have shown the floor, at most `certain`
+  std::vector<Count> foot_;                 ///< return something nearer than the floor
+  std::vector<Count> blank_;                ///< return nothing
+  std::vector<std::uint8_t> blank_lately_;  ///< it was blank; in so many more clouds it counts as that
+  std::vector<std::uint8_t> expected_;      ///< so many clouds have shown the floor, at most `certain`
 };
 
 }  // namespace safety_control_cloud

@@ -58,6 +58,7 @@ void NearGround::look_at(const Pixels& picture, const Outlook& outlook, float di
   row_step_ = std::max<std::size_t>(1, height_ / most_rows);
   column_step_ = std::max<std::size_t>(1, picture.width() / most_columns);
   columns_ = (picture.width() + column_step_ - 1) / column_step_;
+  middle_column_ = picture.framing().middle_column / static_cast<double>(column_step_);
   near_.assign(columns_, false);
   const std::size_t all = (height_ + row_step_ - 1) / row_step_;
   codes_.resize(all * columns_);

@@ -39,6 +39,7 @@ class NearGround {
   std::size_t column_at(std::size_t picture_column) const {
     return std::min(columns_ - 1, picture_column / column_step_);
   }
+  double middle_column() const { return middle_column_; }  ///< that looks straight ahead
   /// Whether something near, in the corridor, is seen in a column, anywhere in the picture.
   bool is_near(std::size_t column) const { return near_[column]; }
   /// Tells it of the things that are seen, of which only those in the same `distance` count; of each spot of theirs,
@@ -60,6 +61,7 @@ class NearGround {
   std::vector<char> shows_;  ///< of each row
   std::vector<char> near_;
   std::size_t rows_ = 0, columns_ = 0, height_ = 0, row_step_ = 1, column_step_ = 1;
+  double middle_column_ = 0.0;
   float distance_ = 0.0f;
 };
 

@@ -102,10 +102,11 @@ std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const 
 }
 
 std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sight, const Outlook& outlook) {
-  const Pixels picture(view, outlook.corridor.range_min);
+  Pixels picture(view, outlook.corridor.range_min);
+  picture.frame(margins_.note(picture));
   move_to({std::nullopt, picture.width(), picture.height()});
   ground_.look_at(picture, outlook, near_distance());
-  remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels});
+  remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels}, 1);
   const auto low = low_.judge(ground_, picture, outlook);
   auto loss = nearer(low, lost(outlook));
   auto covered = floor_.covered();
@@ -120,29 +121,32 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
   return loss;
 }
 
+/// What hides the floor is noticed by itself only in a picture: here the floor has to be seen for longer, since strays
+/// may fill a hole in it for a moment.
 std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight, const Outlook& outlook) {
   const bool any_near = sight.nearest && sight.nearest->distance() - outlook.camera().z < watched_distance();
   if (things_.empty() && !any_near) return std::nullopt;
   const View raster = raster_.picture_of(view, outlook.corridor);
   const bool sparse = 10 * raster_.filled() > 7 * sight.returns;
-  const Pixels picture(raster, outlook.corridor.range_min, sparse ? nullptr : &raster_.hits());
+  Pixels picture(raster, outlook.corridor.range_min, sparse ? nullptr : &raster_.hits());
+  picture.frame(raster_.framing());
   move_to({raster_.grid(), picture.width(), picture.height()});
   ground_.look_at(picture, outlook, near_distance());
   const std::size_t least = std::min(least_pixels, 1 + raster_.filled() / pixels_of_few);
   const Sight in_raster = look(raster, outlook, Crop::Skip, Rows::Apart);
-  remember({picture, outlook, in_raster.nearest_in_rows, watched_distance(), least, sparse});
+  remember({picture, outlook, in_raster.nearest_in_rows, watched_distance(), least, sparse}, FloorStrip::lately);
   return lost(outlook);
 }
 
-void NearLoss::remember(const NearSearch& search) {
+void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor) {
   auto things = near_things(search);
   ground_.place(things);
   floor_.survey(ground_);
-  const auto is_seen_again = [this](std::size_t column) {
+  const auto is_seen_again = [&](std::size_t column) {
     const std::size_t i = ground_.column_at(column);
-    return !ground_.is_near(i) && floor_.is_seen_again(i);
+    return !ground_.is_near(i) && floor_.is_seen_again(i, clouds_of_floor > 1);
   };
-  const ThingsMemory::NearFloor floor{is_seen_again, floor_.rows()};
+  const ThingsMemory::NearFloor floor{is_seen_again, floor_.rows(), clouds_of_floor};
   things_.update(std::move(things), search.picture, floor, near_distance(), axis_of(search.outlook));
 }
 

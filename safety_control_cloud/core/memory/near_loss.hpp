@@ -9,6 +9,7 @@
 #include "floor_strip.hpp"
 #include "loss.hpp"
 #include "low_obstacles.hpp"
+#include "margins.hpp"
 #include "near_things.hpp"
 #include "raster.hpp"
 #include "settings.hpp"
@@ -67,7 +68,7 @@ class NearLoss {
 
   std::optional<Loss> judge_organised(const View& view, const Sight& sight, const Outlook& outlook);
   std::optional<Loss> judge_points(const View& view, const Sight& sight, const Outlook& outlook);
-  void remember(const NearSearch& search);
+  void remember(const NearSearch& search, std::uint8_t clouds_of_floor);
   std::optional<Loss> lost(const Outlook& outlook) const;
   bool is_lost(const Remembered& thing, const Spot& spot, const Outlook& outlook) const;
   std::vector<Point> lost_spots(const Outlook& outlook) const;
@@ -84,6 +85,7 @@ class NearLoss {
   FloorStrip floor_;
   LowObstacles low_;
   Raster raster_;
+  Margins margins_;
   ThingsMemory things_;
   std::optional<double> lost_since_;
   std::string text_;

@@ -32,6 +32,8 @@ std::array<float, 9> Pixels::read_around(const Pixels& picture, std::size_t row,
 
 Pixels::Pixels(const View& view, float range_min, const RayHits* hits)
     : width_(width_of(view)), height_(height_of(view)), range_min_(range_min), hits_(hits) {
+  framing_.middle_row = 0.5 * static_cast<double>(height_);
+  framing_.middle_column = 0.5 * static_cast<double>(width_);
   with_reader(view, [this](const auto& reader) {
     using OneReader = std::decay_t<decltype(reader)>;
     reader_.emplace<OneReader>(reader);

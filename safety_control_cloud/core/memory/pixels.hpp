@@ -17,6 +17,12 @@ struct PixelRow {
   std::vector<float> x, y, z;
 };
 
+/// How a picture looks out.
+struct Framing {
+  std::size_t left = 0, top = 0, right = 0, bottom = 0;  ///< so many columns and rows at its sides never return
+  double middle_row = 0.0, middle_column = 0.0;          ///< which look straight ahead
+};
+
 /// Which return, if any, lies in a direction: a pixel of an organised cloud, of a depth image, or of the raster that is
 /// made of a cloud that is not organised. Reads single pixels; the bytes are borrowed.
 class Pixels {
@@ -26,6 +32,8 @@ class Pixels {
 
   std::size_t width() const { return width_; }
   std::size_t height() const { return height_; }
+  const Framing& framing() const { return framing_; }  ///< unless it is told: no margins, and ahead is in the middle
+  void frame(const Framing& framing) { framing_ = framing; }
   const RayHits* hits() const { return hits_; }  ///< of a raster, which rays return; none: the pixels are the rays
 
   /// In the cloud's frame; z is NaN where nothing returns.
@@ -57,6 +65,7 @@ class Pixels {
   std::array<float, 9> (*around_)(const Pixels&, std::size_t, std::size_t) = nullptr;
   std::size_t width_, height_;
   float range_min_;
+  Framing framing_;
   const RayHits* hits_;
 };
 

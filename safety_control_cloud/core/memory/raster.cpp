@@ -46,11 +46,13 @@ void Raster::fit(const std::vector<Point>& returns) {
   constexpr float margin = 0.02f;
   for (const Point& point : returns) {
     const float x = point.x / point.z, y = point.y / point.z;
-    if (x < grid.left) grid.left = x - margin;
-    if (x > grid.right) grid.right = x + margin;
-    if (y < grid.top) grid.top = y - margin;
-    if (y > grid.bottom) grid.bottom = y + margin;
+    extent_.left = std::min(extent_.left, x), extent_.right = std::max(extent_.right, x);
+    extent_.top = std::min(extent_.top, y), extent_.bottom = std::max(extent_.bottom, y);
   }
+  if (extent_.left < grid.left) grid.left = extent_.left - margin;
+  if (extent_.right > grid.right) grid.right = extent_.right + margin;
+  if (extent_.top < grid.top) grid.top = extent_.top - margin;
+  if (extent_.bottom > grid.bottom) grid.bottom = extent_.bottom + margin;
   const float widest = std::max(grid.right - grid.left, grid.bottom - grid.top);
   const float wanted = std::max(cell_in_spacings * spacing_of(returns, grid), widest / (most_cells - 1));
   const bool grown =
@@ -61,6 +63,22 @@ void Raster::fit(const std::vector<Point>& returns) {
   grid.width = 1 + static_cast<std::size_t>((grid.right - grid.left) / wanted);
   grid.height = 1 + static_cast<std::size_t>((grid.bottom - grid.top) / wanted);
   grid_ = grid;
+}
+
+/// Its margins are what the grid has beyond all returns.
+Framing Raster::framing() const {
+  Framing framing;
+  if (extent_.left > extent_.right) return framing;  // no cloud has come
+  const auto cell_of = [](float slope, float least, float cell, std::size_t size) {
+    return std::min(size - 1, static_cast<std::size_t>(std::max(0.0f, (slope - least) / cell)));
+  };
+  framing.left = cell_of(extent_.left, grid_.left, grid_.cell, grid_.width);
+  framing.right = grid_.width - 1 - cell_of(extent_.right, grid_.left, grid_.cell, grid_.width);
+  framing.top = cell_of(extent_.top, grid_.top, grid_.cell, grid_.height);
+  framing.bottom = grid_.height - 1 - cell_of(extent_.bottom, grid_.top, grid_.cell, grid_.height);
+  framing.middle_row = -double{grid_.top} / double{grid_.cell};
+  framing.middle_column = -double{grid_.left} / double{grid_.cell};
+  return framing;
 }
 
 View Raster::picture_of(const View& points, const Corridor& corridor) {

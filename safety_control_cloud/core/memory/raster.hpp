@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "../input/view.hpp"
 #include "../look/corridor.hpp"
+#include "pixels.hpp"
 #include "ray_hits.hpp"
 
 namespace safety_control_cloud {
@@ -22,11 +24,18 @@ class Raster {
   std::size_t filled() const { return filled_; }  ///< cells that hold a return
   const Grid& grid() const { return grid_; }
   const RayHits& hits() const { return hits_; }
+  Framing framing() const;
 
  private:
+  /// Slopes between which all returns lay so far.
+  struct Extent {
+    float left = std::numeric_limits<float>::infinity(), top = left, right = -left, bottom = -left;
+  };
+
   void fit(const std::vector<Point>& returns);
 
   Grid grid_;
+  Extent extent_;
   RayHits hits_;
   std::size_t filled_ = 0;
   std::vector<Point> returns_;

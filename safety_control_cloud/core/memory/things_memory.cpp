@@ -167,13 +167,15 @@ void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor
       leaving += double{spot.share};
       return false;
     }
+    if (spot.lost_for < floor.after) ++spot.lost_for;
+    const bool may_stand = spot.stands && spot.lost_for >= floor.after;
     spot.seen_past = evidence == Evidence::Past ? static_cast<std::uint8_t>(spot.seen_past + 1) : std::uint8_t{0};
     // Seen again, it is a thing that is seen; what comes nearer while a part of it is seen is that thing itself.
     const bool again =
         evidence == Evidence::There || (evidence == Evidence::Hidden && thing.is_seen() &&
                                         picture.near(spot.row, spot.column).z > spot.point.z - farthest_step);
     if (again) return true;
-    if (spot.seen_past >= clouds_to_go || (spot.stands && !floor_between && floor.is_seen_again(spot.column))) {
+    if (spot.seen_past >= clouds_to_go || (may_stand && !floor_between && floor.is_seen_again(spot.column))) {
       thing.freed += double{spot.share};
       return true;
     }

@@ -34,7 +34,8 @@ double size_of(const std::vector<Spot>& spots);  ///< [m2]
 /// - What is lost of a thing stays lost until the picture shows what is behind it, in three successive clouds, or at
 ///   once if it does so for nearly all of it. Then the rest goes too, unless most of that is a hole: something smaller
 ///   may have gone out of sight together with it.
-/// - Of a cloud that is not organised the picture is a raster, in which what is thin leaves no hole: it is not seen past
+/// - Of a cloud that is not organised the picture is a raster, in which what is thin leaves no hole: it is not seen
+/// past
 ///   while nothing may return on the rays that it would take.
 /// - What leaves the picture at its upper border, within the corridor, is not seen to go by what is seen below it.
 /// - What is near is kept. What is farther away is only watched: if a thing of fair extent, which nothing hides and
@@ -49,6 +50,7 @@ class ThingsMemory {
     /// Whether it is seen again in a column of the picture and nothing is near in it.
     std::function<bool(std::size_t column)> is_seen_again;
     const std::vector<std::size_t>& rows;  ///< of the picture, that show it
+    std::uint8_t after = 1;                ///< so many clouds show it before it says anything of what is lost
   };
 
   /// Nearer than `near` [m] ahead of the camera is near.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <random>
+#include <utility>
+
 #include "../../../safety_control_cloud/core/memory/raster.hpp"
 #include "looking_robot.hpp"
 
@@ -149,6 +152,43 @@ TEST(Unorganised, PointsThatAllLieFarAsideAreAPictureOfNothing) {
   const std::vector<Xyz> aside(50, Xyz{10.0f, 0.0f, 1.0f});
   for (int i = 0; i < 5; ++i)
     EXPECT_EQ(robot.sees(view_of(aside)).cause, Cause::NearLoss) << "nothing is seen behind it";
+}
+
+TEST(Unorganised, TheRasterKnowsWhereTheCameraLooksAndWhatOfItNeverReturns) {
+  std::vector<Xyz> points;
+  for (int row = 0; row < 40; ++row)
+    for (int column = 0; column < 60; ++column)
+      points.push_back({-0.4f + 0.02f * static_cast<float>(column), 0.02f * static_cast<float>(row), 1.0f});
+  Raster raster;
+  EXPECT_EQ(raster.framing().left, std::size_t{0});
+  raster.picture_of(view_of(points), Corridor{});
+  const Grid& grid = raster.grid();
+  const Framing framing = raster.framing();
+  const auto border = [&](float x, float y) { return std::pair(grid.row({x, y, 1.0f}), grid.column({x, y, 1.0f})); };
+  EXPECT_EQ(border(-0.4f, 0.0f), std::pair(std::ptrdiff_t(framing.top), std::ptrdiff_t(framing.left)));
+  const auto right = std::ptrdiff_t(grid.width - 1 - framing.right),
+             bottom = std::ptrdiff_t(grid.height - 1 - framing.bottom);
+  EXPECT_EQ(border(0.78f, 0.78f), std::pair(bottom, right));
+  EXPECT_NEAR(framing.middle_column, static_cast<double>(grid.column({0.0f, 0.0f, 1.0f})), 1.0);
+  EXPECT_NEAR(framing.middle_row, static_cast<double>(grid.row({0.0f, 0.0f, 1.0f})), 1.0);
+  EXPECT_GT(framing.top, std::size_t{0}) << "above the horizon nothing returns";
+}
+
+/// It hides the near floor, and one stray return in ten pixels shows something there all the same.
+TEST(Unorganised, AThinPostStaysBetweenStrayReturns) {
+  for (unsigned seed = 0; seed < 16; ++seed) {
+    std::mt19937 random(seed);
+    Robot robot;
+    const float x = seed % 2 == 0 ? 0.16f : -0.15f;
+    for (float z = 0.9f; z > 0.33f; z -= 0.025f) {
+      const auto points = Scene({post(z, x, 0.02f)}).stray(0.1, random, 1.1f).returns();
+      robot.sees(view_of(points));
+    }
+    for (int i = 0; i < 100; ++i) {
+      const auto points = Scene({post(0.33f, x, 0.02f)}).stray(0.1, random, 1.1f).returns();
+      ASSERT_EQ(robot.sees(view_of(points)).speed, 0.0) << seed << " after " << i;
+    }
+  }
 }
 
 }  // namespace
