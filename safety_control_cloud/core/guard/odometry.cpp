@@ -28,6 +28,7 @@ void Odometry::note(double stamp, const Pose2& pose, const Twist2& twist) {
     forget();
     return;
   }
+  tells_twists_ = tells_twists_ || speed_of(twist) > 0.0 || twist.w != 0.0;
   if (!noted_.empty() && !goes_on(next)) forget();
   if (noted_.empty()) {
     since_ = stamp;
@@ -59,12 +60,18 @@ void Odometry::forget() {
   noted_.clear();
 }
 
-/// Of the way from the latest on.
+/// Of the way from the latest on. Of who tells no twists, one that goes on as before is explained.
 Drift Odometry::unexplained_by(const Noted& next) const {
   const Noted& last = noted_.back();
   const Pose2 way = between(last.pose, next.pose);
-  const double speed = std::max(speed_of(last.twist), speed_of(next.twist));
-  const double turning = std::max(std::abs(last.twist.w), std::abs(next.twist.w));
+  double speed = std::max(speed_of(last.twist), speed_of(next.twist));
+  double turning = std::max(std::abs(last.twist.w), std::abs(next.twist.w));
+  if (!tells_twists_ && noted_.size() > 1) {
+    const Noted& before = noted_[noted_.size() - 2];
+    const Pose2 latest = between(before.pose, last.pose);
+    speed = std::max(speed, length_of(latest.place) / (last.stamp - before.stamp));
+    turning = std::max(turning, std::abs(latest.heading) / (last.stamp - before.stamp));
+  }
   const double explained = (1.0 + most_off_rate) * (next.stamp - last.stamp);
   return {length_of(way.place) - explained * speed, std::abs(wrapped(way.heading)) - explained * turning};
 }

@@ -64,6 +64,7 @@ class Odometry {
   std::deque<Noted> noted_;
   std::size_t breaks_ = 0;
   double since_ = 0.0;
+  bool tells_twists_ = false;  ///< some leave them zero for ever
 };
 
 }  // namespace safety_control_cloud

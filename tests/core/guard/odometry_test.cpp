@@ -126,5 +126,22 @@ TEST(Odometry, NoiseOfAPoseIsExplained) {
   EXPECT_EQ(odometry.unexplained_until(20.0).heading, 0.0);
 }
 
+/// As some bases leave them zero.
+TEST(Odometry, WhoTellsNoTwistsIsBelievedAsLongAsHeGoesOnAsBefore) {
+  for (const double period : {0.02, 0.1}) {
+    Odometry odometry;
+    double x = 0.0, speed = 0.0, stamp = 10.0;
+    for (; stamp < 14.0; stamp += period) {
+      speed = std::min(0.6, speed + 0.5 * period);
+      x += speed * period;
+      odometry.note(stamp, {{x, 0.0}, 0.3 * x}, {});
+    }
+    EXPECT_EQ(odometry.breaks(), std::size_t{0}) << period;
+    EXPECT_LT(odometry.unexplained_until(14.0).place, 0.05) << period;
+    odometry.note(stamp, {{x + speed * period, 0.09}, 0.3 * x}, {});
+    EXPECT_GT(odometry.unexplained_until(stamp).place, period < 0.05 ? 0.05 : 0.02) << period;
+  }
+}
+
 }  // namespace
 }  // namespace safety_control_cloud
