@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "../input/cloud_builder.hpp"
 
 namespace safety_control_cloud {
@@ -40,6 +42,68 @@ TEST(Evidence, ReturnsAtItsRangeOrBeforeItSayThatItMayBeThere) {
   EXPECT_EQ(said({0.4f, 0.41f, 0.39f}), Evidence::There);
   EXPECT_EQ(said({0.2f, 0.21f, 0.2f}), Evidence::Hidden);
   EXPECT_EQ(said({0.4f, 0.2f, 0.2f, 2.0f, 2.0f}), Evidence::There);
+}
+
+/// A wall at 2 m, seen by a camera of so many pixels.
+struct Wall {
+  std::size_t width, height;
+  std::vector<Xyz> points;
+
+  Wall(std::size_t columns, std::size_t rows) : width(columns), height(rows), points(columns * rows, {0, 0, 2.0f}) {}
+  void blank(std::size_t row, std::size_t column) { points[row * width + column] = {nan, nan, nan}; }
+  /// Of a thing at 0.4 m.
+  Evidence said_of(std::size_t row, std::size_t column, const Framing* framing = nullptr) const {
+    CloudView view = view_of(points);
+    view.width = width, view.height = height, view.row_step = width * sizeof(Xyz);
+    Pixels picture(view, 0.0f);
+    if (framing) picture.frame(*framing);
+    Spot spot;
+    spot.row = static_cast<std::uint16_t>(row), spot.column = static_cast<std::uint16_t>(column);
+    spot.point = {0.0f, 0.0f, 0.4f};
+    spot.company = 9;
+    return evidence_of(spot, picture);
+  }
+};
+
+TEST(Evidence, AHoleOnTheWayOutwardMayBeTheThingItself) {
+  Wall wall(160, 120);
+  EXPECT_EQ(wall.said_of(60, 120), Evidence::Past);
+  for (std::size_t row = 50; row < 70; ++row) wall.blank(row, 126);
+  EXPECT_EQ(wall.said_of(60, 120), Evidence::Nothing);
+  EXPECT_EQ(wall.said_of(60, 40), Evidence::Past) << "its way leads to the other side";
+}
+
+TEST(Evidence, PixelsThatAreMissingByChanceAreNoHoleHoweverManyThereAre) {
+  std::mt19937 random(3);
+  std::bernoulli_distribution missing(0.3);
+  int past = 0;
+  for (int i = 0; i < 20; ++i) {
+    Wall wall(640, 480);
+    for (std::size_t row = 200; row < 280; ++row)
+      for (std::size_t column = 400; column < 640; ++column)
+        if (missing(random) && (row < 239 || row > 241 || column < 479 || column > 481)) wall.blank(row, column);
+    past += wall.said_of(240, 480) == Evidence::Past;
+  }
+  EXPECT_GE(past, 18);
+}
+
+TEST(Evidence, TheWayOutwardLeadsAwayFromWhatLooksStraightAhead) {
+  Wall wall(160, 120);
+  for (std::size_t column = 60; column < 100; ++column) wall.blank(46, column);
+  EXPECT_EQ(wall.said_of(40, 80), Evidence::Past) << "upward, from the middle";
+  Framing framing;
+  framing.middle_row = 10.0, framing.middle_column = 80.0;
+  EXPECT_EQ(wall.said_of(40, 80, &framing), Evidence::Nothing);
+}
+
+TEST(Evidence, AMarginOfThePictureIsNoHole) {
+  Wall wall(160, 120);
+  for (std::size_t row = 0; row < 120; ++row)
+    for (std::size_t column = 150; column < 160; ++column) wall.blank(row, column);
+  EXPECT_EQ(wall.said_of(60, 140), Evidence::Nothing);
+  Framing framing;
+  framing.middle_row = 60.0, framing.middle_column = 80.0, framing.right = 10;
+  EXPECT_EQ(wall.said_of(60, 140, &framing), Evidence::Past);
 }
 
 }  // namespace
