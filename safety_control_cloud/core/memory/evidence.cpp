@@ -19,7 +19,6 @@ constexpr int dense = 6;
 /// rays.
 constexpr std::size_t none_share = 5;
 constexpr std::size_t enough_rays = 12;
-constexpr std::size_t few_spots = 4;  ///< fewer lie between rays by chance, on one way or another
 constexpr float as_near = 1.01f;
 
 /// Of the 3 x 3 pixels around a spot.
@@ -99,7 +98,7 @@ bool hole_on_the_way(const Spot& spot, const Pixels& picture, std::ptrdiff_t wit
 /// known.
 template <class AskRays>
 bool any_way_between_rays(std::vector<Spot> spots, const Pixels& picture, AskRays ask_rays) {
-  if (!picture.hits() || spots.size() < few_spots) return false;
+  if (!picture.hits() || spots.empty()) return false;
   const auto is_nearer = [](const Spot& a, const Spot& b) { return a.point.z < b.point.z; };
   std::sort(spots.begin(), spots.end(), is_nearer);
   const float nearest = spots.front().point.z, farthest_way = nearest * static_cast<float>(growth / (1.0 + growth));

@@ -4,6 +4,7 @@
 #include <random>
 #include <utility>
 
+#include "../../../safety_control_cloud/core/memory/evidence.hpp"
 #include "../../../safety_control_cloud/core/memory/raster.hpp"
 #include "looking_robot.hpp"
 
@@ -187,6 +188,30 @@ TEST(Unorganised, AThinPostStaysBetweenStrayReturns) {
     for (int i = 0; i < 100; ++i) {
       const auto points = Scene({post(0.33f, x, 0.02f)}).stray(0.1, random, 1.1f).returns();
       ASSERT_EQ(robot.sees(view_of(points)).speed, 0.0) << seed << " after " << i;
+    }
+  }
+}
+
+/// Beyond the outermost rays nothing returns, and few spots lie beside some of them on one way or another.
+TEST(Unorganised, WhatLeavesThePictureAndWhatIsTinyDoNotLieBetweenRays) {
+  for (const float spacing : {0.0036f, 0.0072f}) {
+    std::vector<Xyz> wall;
+    for (float y = -0.43f; y < 0.43f; y += spacing)
+      for (float x = -0.5755f; x < 0.5755f; x += spacing) wall.push_back({2.2f * x, 2.2f * y, 2.2f});
+    Raster raster;
+    Pixels picture(raster.picture_of(view_of(wall), Corridor{}), 0.0f, &raster.hits());
+    picture.frame(raster.framing());
+    for (const std::size_t count : {2, 20}) {
+      for (float at = -0.56f; at < 0.56f; at += 0.01f) {
+        std::vector<Spot> upright(count), lying(count);
+        for (std::size_t i = 0; i < count; ++i) {
+          const float z = 0.4f + 0.0004f * static_cast<float>(i), along = 0.005f * static_cast<float>(i);
+          upright[i].point = {at * z, (along - 0.1f) * z, z};
+          lying[i].point = {(along - 0.1f) * z, 0.7f * at * z, z};
+        }
+        EXPECT_FALSE(may_lie_between_rays(upright, picture)) << spacing << ", " << count << " at " << at;
+        EXPECT_FALSE(may_lie_between_rays(lying, picture)) << spacing << ", " << count << " at " << at;
+      }
     }
   }
 }
