@@ -51,8 +51,18 @@ def test_what_comes_from_the_side_sooner_than_the_robot_can_brake_is_a_limit_of_
     scenario = Scenario("person_crosses", 0, (CART,))
     late = [moment(0.0), moment(0.05), moment(0.1, free=False, hits=[Hit(0.2, "cart", 0.2)])]
     assert judged(late, scenario).limit == SIDE_ENTRY
-    early = [moment(0.05 * i, free=False) for i in range(40)] + [moment(2.0, free=False, hits=[Hit(2.0, "cart", 0.2)])]
+    early = [moment(0.05 * i, free=False) for i in range(60)] + [moment(3.0, free=False, hits=[Hit(3.0, "cart", 0.2)])]
     assert judged(early, scenario).limit == ""
+
+
+@pytest.mark.parametrize("shown_at, limit", [(None, BESIDE_THE_VIEW), (0.5, ""), (1.7, BESIDE_THE_VIEW)])
+def test_what_comes_from_beside_the_view_was_to_be_seen_only_if_it_was_in_the_picture_in_time(shown_at, limit):
+    """A shelf that comes to the robot's shoulder is in the corridor for long, and perhaps never in a picture."""
+    shelf = Thing("shelf", Pose(), (0.3, 0.5, 0.05), path=Path(((0.0, 0.05, 1.0), (2.0, 0.05, 0.45))))
+    drive = [moment(0.05 * i, free=i < 16) for i in range(40)]
+    toward = [replace(one, pose=Pose(yaw=1.57)) if one.time == shown_at else one for one in drive]
+    last = moment(2.0, free=False, hits=[Hit(2.0, "shelf", 0.2)])
+    assert judged([*toward, last], Scenario("shelf_slides_in", 0, (shelf,))).limit == limit
 
 
 @pytest.mark.parametrize("x, y, limit", [

@@ -17,7 +17,7 @@ FALSE_STOP = 2.0  # [s] in Danger although the corridor is free
 STANDING = 0.005  # [m/s]
 AT_REST = 3.5  # [s] of standing after which nothing more is to be expected
 SIDE_ENTRY = "it came into the corridor from the side, nearer than the robot can brake"
-BESIDE_THE_VIEW = "it stood beside the camera's view, or at its border, until the robot was nearer than it can brake"
+BESIDE_THE_VIEW = "it was beside the camera's view, or at its border, until the robot was nearer than it can brake"
 
 
 @dataclass(frozen=True)
@@ -112,10 +112,11 @@ class Judge:
     def _too_late(self, hit: Hit) -> str:
         """Why it was in the way, or in the picture, for less time than it takes to see it and to stand."""
         thing = next(thing for thing in self.scenario.things if thing.name == hit.thing)
-        if thing.path:
-            return SIDE_ENTRY if hit.time - self._blocked_since < self._reaction(self._blocked_since) else ""
-        blocked = [moment for moment in self._seen if not moment.free]  # who is beside the corridor may be passed
-        shown = [moment.time for moment in blocked if is_in_view(thing, moment.time, moment.pose)]
+        if thing.path and hit.time - self._blocked_since < self._reaction(self._blocked_since):
+            return SIDE_ENTRY
+        # Who stands beside the corridor may be passed; who moves there is to be watched.
+        watched = [moment for moment in self._seen if thing.path or not moment.free]
+        shown = [moment.time for moment in watched if is_in_view(thing, moment.time, moment.pose)]
         if not shown:
             return BESIDE_THE_VIEW
         from_the_start = shown[0] == self._seen[0].time  # then it need not set out
