@@ -13,6 +13,7 @@
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -63,15 +64,18 @@ class Drive {
         front_("front/points", cloud_of("front"), in_process),
         rear_("rear/points", cloud_of("rear"), in_process),
         laser_("scan", scan_of("laser"), in_process),
-        wishes_(handle_.advertise<geometry_msgs::Twist>("cmd_vel_in", 1)),
-        answers_(handle_.subscribe("cmd_vel", 10, &Drive::on_answer, this, ros::TransportHints().tcpNoDelay())) {
+        wishes_(handle_.advertise<geometry_msgs::Twist>("cmd_vel_in", 1)) {
     places_.sendTransform(places());
+    base_.setCallbackQueue(&heard_);
+    answers_ = base_.subscribe("cmd_vel", 10, &Drive::on_answer, this, ros::TransportHints().tcpNoDelay());
+    hearing_.start();
   }
+  ~Drive() { hearing_.stop(); }
 
   /// Shows clouds and asks until a first command passes. Throws if none does.
   void meet() {
     const ros::SteadyTime end = ros::SteadyTime::now() + ros::WallDuration(patience);
-    while (latencies_.empty()) {
+    while (answered() == 0) {
       if (ros::SteadyTime::now() > end) throw std::runtime_error("a command that is safe was not passed");
       say();
     }
@@ -85,21 +89,35 @@ class Drive {
   std::vector<double> command(int commands) {
     const auto enough = static_cast<std::size_t>(commands);
     const long last = number_ + most_said * (commands + 1);
-    latencies_.clear();
-    said_.clear();
-    while (latencies_.size() < enough) {
+    forget();
+    while (answered() < enough) {
       if (number_ == last) throw std::runtime_error("commands that are safe were not passed");
       say();
     }
+    const std::lock_guard<std::mutex> lock(mutex_);
     return {latencies_.begin(), latencies_.begin() + commands};
   }
 
  private:
+  void forget() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    latencies_.clear();
+    said_.clear();
+  }
+
+  std::size_t answered() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return latencies_.size();
+  }
+
   void say() {
     geometry_msgs::Twist wish;
     wish.linear.x = speed;
     wish.angular.x = step * static_cast<double>(++number_);  // tells one from the other, and moves nothing
-    said_[number_] = ros::SteadyTime::now();
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      said_[number_] = ros::SteadyTime::now();
+    }
     wishes_.publish(wish);
     for (int i = 0; i < ticks_a_command; ++i) look_around();
   }
@@ -113,25 +131,19 @@ class Drive {
     if (phase == 2 && sensors_ > 1) rear_.publish();
     if (phase == 4 && sensors_ > 2) laser_.publish();
     due_ = std::max(due_ + ros::WallDuration(tick), ros::SteadyTime::now());
-    hear_until(due_);
+    ros::SteadyTime::sleepUntil(due_);
   }
 
   /// Of each command the first; what the guard repeats of it afterwards is none.
   void on_answer(const geometry_msgs::Twist& answer) {
+    const ros::SteadyTime came = ros::SteadyTime::now();
     const double factor = answer.linear.x / speed;  // whatever is given of it keeps its shape
     if (!(factor > 0.0)) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
     const auto said = said_.find(std::lround(answer.angular.x / (factor * step)));
     if (said == said_.end()) return;
-    latencies_.push_back((ros::SteadyTime::now() - said->second).toSec());
+    latencies_.push_back((came - said->second).toSec());
     said_.erase(said_.begin(), std::next(said));  // a queue of one: what was said before it was passed over
-  }
-
-  void hear_until(const ros::SteadyTime& end) {
-    for (;;) {
-      const ros::WallDuration left = end - ros::SteadyTime::now();
-      if (left <= ros::WallDuration(0.0)) return;
-      ros::getGlobalCallbackQueue()->callAvailable(std::min(left, ros::WallDuration(tick)));
-    }
   }
 
   int sensors_;
@@ -140,7 +152,11 @@ class Drive {
   Sent<sensor_msgs::PointCloud2> front_, rear_;
   Sent<sensor_msgs::LaserScan> laser_;
   ros::Publisher wishes_;
+  ros::CallbackQueue heard_;  ///< by the base, in a thread of its own: it does not wait for the cameras to write
+  ros::AsyncSpinner hearing_{1, &heard_};
+  ros::NodeHandle base_;
   ros::Subscriber answers_;
+  std::mutex mutex_;
   std::map<long, ros::SteadyTime> said_;  ///< not answered yet, by number
   std::vector<double> latencies_;         ///< [s]
   ros::SteadyTime due_ = ros::SteadyTime::now();
