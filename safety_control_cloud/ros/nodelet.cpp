@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <nodelet/detail/callback_queue.h>
 #include <nodelet/nodelet.h>
+#include <ros/callback_queue.h>
+#include <ros/spinner.h>
 
 #include <memory>
 #include <pluginlib/class_list_macros.hpp>
@@ -10,28 +11,27 @@
 
 namespace safety_control_cloud {
 
-namespace {
-
-/// nodelet 1.10.0 (Debian 11, Noetic of 2020) keeps the queues shut until onInit returns, and throws away what comes
-/// meanwhile; the timer or the subscription that it came from is then dead for good (ros/nodelet_core#106).
-void open(ros::CallbackQueueInterface& queue) {
-  if (auto* own = dynamic_cast<nodelet::detail::CallbackQueue*>(&queue)) own->enable();
-}
-
-}  // namespace
-
 /// The node beside the camera's driver in one process: a cloud arrives without being copied.
 /// Parameters that are unfit to drive with keep it from loading.
 class SafetyControlNodelet : public nodelet::Nodelet {
   void onInit() override {
-    open(getSTCallbackQueue());
-    open(getMTCallbackQueue());
-    node_ = node_of(getNodeHandle(), getPrivateNodeHandle(), Delivery::Shared);
+    node_ = node_of(on_own_queue(getNodeHandle()), on_own_queue(getPrivateNodeHandle()), Delivery::Shared);
     last_word_ = std::make_unique<LastWord>([this] { node_->end(); });
+    decides_ = std::make_unique<ros::AsyncSpinner>(1, &queue_);
+    decides_->start();
   }
 
+  ros::NodeHandle on_own_queue(ros::NodeHandle handle) {
+    handle.setCallbackQueue(&queue_);
+    return handle;
+  }
+
+  /// Its own, with a thread of its own: other nodelets may keep all of the manager's workers busy, and from the
+  /// manager's queue to a worker it is one thread further.
+  ros::CallbackQueue queue_;
   std::unique_ptr<Node> node_;
-  std::unique_ptr<LastWord> last_word_;  ///< of the node: goes before it
+  std::unique_ptr<LastWord> last_word_;         ///< of the node: goes before it
+  std::unique_ptr<ros::AsyncSpinner> decides_;  ///< goes first
 };
 
 }  // namespace safety_control_cloud

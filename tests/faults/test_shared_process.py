@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The node in a process that it shares with others, as a nodelet does: they end it, block it, and command beside it."""
+import os
 import signal
 import subprocess
 import time
@@ -10,15 +11,18 @@ import dynamic_reconfigure.client
 import pytest
 import rospy
 from commanders import ITS_END, first, is_doubted, mean_speed
+from listening import Heard
 from robot import AGAIN, NODE, SOURCE_TIMEOUT, START, after, eventually, robot_with
 from scenes import always, cloud_of, hall, points_of, wall
 from std_msgs.msg import Float64
 
 from safety_control_cloud.processes import process
 
-SHARED = Path(__file__).resolve().parents[2] / "build/tests/ros/shared_process"
+BUILT = Path(__file__).resolve().parents[2] / "build/tests/ros"
+SHARED, BUSY_MANAGER = BUILT / "shared_process", BUILT / "busy_manager"
 NODELET = ["rosrun", "nodelet", "nodelet", "standalone", "safety_control_cloud/SafetyControlNodelet",
            "__name:=safety_control_cloud"]
+BLOCKED = 6.0  # [s]
 LATE = 0.15  # [s] after source_timeout until a thread of its own commands zero
 ENDS = {"SIGINT": signal.SIGINT, "SIGTERM": signal.SIGTERM, "rosnode_kill": None}
 
@@ -61,6 +65,16 @@ def test_the_last_command_of_a_manager_that_is_ended_is_zero(nodelet, number):
     assert nodelet.commands.until_silence()[-1].linear.x == 0.0
 
 
+def test_the_last_command_of_a_nodelet_that_is_unloaded_is_zero(master):
+    with process(["rosrun", "nodelet", "nodelet", "manager", "__name:=manager"]) as manager:
+        load = ["rosrun", "nodelet", "nodelet", "load", "safety_control_cloud/SafetyControlNodelet", "manager"]
+        with process([*load, "__name:=safety_control_cloud"]) as loaded, robot_with(manager, hall()) as robot:
+            robot.drives(within=START)
+            loaded.send(signal.SIGINT)
+            assert robot.commands.until_silence()[-1].linear.x == 0.0
+            assert manager.exit_code is None, manager.output()
+
+
 def test_others_that_keep_the_queue_busy_do_not_keep_the_robot_driving(shared):
     shared.camera.changes()
     says("/block", 3.0)
@@ -70,6 +84,21 @@ def test_others_that_keep_the_queue_busy_do_not_keep_the_robot_driving(shared):
     assert {command.linear.x for _, command in after(stopped, shared.commands)} == {0.0}
     shared.camera.changes()
     shared.drives(within=4.0 + AGAIN)
+
+
+def test_nodelets_that_keep_all_workers_busy_do_not_keep_this_one_waiting(master):
+    with robot_in([str(BUSY_MANAGER)]) as robot:
+        busy = Heard("/busy", Float64)
+        eventually(lambda: busy.subscriber.get_num_connections() > 0)
+        until = time.monotonic() + BLOCKED
+        says("/block", BLOCKED)
+        eventually(lambda: len(busy.all()) == os.cpu_count())
+        robot.camera.show(hall(wall(0.45)))
+        robot.stops("SEEN")
+        robot.camera.show(hall(wall(3.0)))
+        robot.drives()
+        assert time.monotonic() < until, "they must have been busy all the while"
+        busy.close()
 
 
 def test_what_commands_from_within_the_same_process_is_somebody_else(shared):
