@@ -60,11 +60,12 @@ void GuardControl::forget_losses() {
 std::vector<std::string> GuardControl::remembered() const {
   std::vector<std::string> texts;
   for (const GuardSensor& sensor : sensors_) texts.push_back(sensor.remembered());
+  texts.push_back(memory_.remembered());
   return texts;
 }
 
 bool GuardControl::recall(const std::vector<std::string>& remembered) {
-  bool legible = remembered.size() == sensors_.size();
+  bool legible = remembered.size() == sensors_.size() + 1 && memory_.recall(remembered.back());
   for (std::size_t i = 0; i < std::min(remembered.size(), sensors_.size()); ++i)
     legible = sensors_[i].recall(remembered[i]) && legible;
   return legible;

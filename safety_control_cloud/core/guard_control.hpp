@@ -79,7 +79,7 @@ class GuardControl {
 
   void forget_losses();
 
-  /// What each sensor remembers, in their order.
+  /// What each sensor remembers, in their order, and last what none shows any more.
   std::vector<std::string> remembered() const;
 
   /// Goes on with what another process remembered; false if it is not legible.

@@ -2,11 +2,14 @@
 #include "guard_memory.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace safety_control_cloud {
 namespace {
 
 constexpr double begins_after = 0.2;  ///< [s] that odometry must go on before it is asked
+constexpr double least_jump = 0.1;    ///< [m], [rad]
+constexpr double full_turn = 2.0 * 3.14159265358979323846;
 
 OutOfSightLimits limits_by(const Settings& settings) {
   const FrameCorridor& band = settings.frame_corridor;
@@ -18,17 +21,65 @@ OutOfSightLimits limits_by(const Settings& settings) {
 }  // namespace
 
 GuardMemory::GuardMemory(const Settings& settings)
-    : out_of_sight_(limits_by(settings)), odometry_drift_(settings.odometry_drift), margin_(settings.margin) {}
+    : out_of_sight_(limits_by(settings)),
+      odometry_drift_(settings.odometry_drift),
+      margin_(settings.margin),
+      time_(settings.memory_time),
+      fastest_(settings.max_speed),
+      fastest_turn_(settings.max_turn) {}
 
 void GuardMemory::adopt(const Settings& settings) {
   out_of_sight_.limit(limits_by(settings));
   odometry_drift_ = settings.odometry_drift;
   margin_ = settings.margin;
+  time_ = settings.memory_time;
+  fastest_ = settings.max_speed;
+  fastest_turn_ = settings.max_turn;
 }
 
 void GuardMemory::forget() {
   out_of_sight_.forget();
+  recalled_.reset();
   jumped_.reset();
+}
+
+/// As of the latest look that somebody knows the place of.
+std::string GuardMemory::remembered() const {
+  if (recalled_) return to_text(*recalled_);
+  if (!by_odometry_ || !latest_) return {};
+  KeptPlaces kept = *latest_;
+  const Whereabouts robot{kept.robot, {}, odometry_drift_};
+  kept.all = out_of_sight_.placed(robot, latest_at_);
+  return to_text(kept);
+}
+
+bool GuardMemory::recall(const std::string& remembered) {
+  recalled_ = kept_places_in(remembered);
+  return recalled_ || remembered.empty();
+}
+
+/// Nobody knows as long as ROS time stands at zero.
+bool GuardMemory::is_over(const KeptPlaces& kept, const Instant& now) const {
+  return now.ros > 0.0 && !(std::abs(now.ros - kept.stamp) <= time_);
+}
+
+bool GuardMemory::may_have_gone(const Pose2& way, double seconds) const {
+  const double time = std::max(0.0, seconds);
+  return length_of(way.place) <= fastest_ * time + least_jump &&
+         std::abs(way.heading) <= fastest_turn_ * time + least_jump;
+}
+
+/// Odometry that began anew meanwhile has jumped.
+void GuardMemory::place_recalled(std::size_t sensor, double stamp, const Whereabouts& robot, const Went& went,
+                                 const Instant& now) {
+  Pose2 then = recalled_->robot;  // each process counts its own full turns
+  then.heading = robot.pose.heading + std::remainder(then.heading - robot.pose.heading, full_turn);
+  if (may_have_gone(between(then, robot.pose), stamp - recalled_->stamp)) {
+    out_of_sight_.recall(recalled_->all, sensor, {then, {}, odometry_drift_}, now.steady);
+  } else {
+    jumped_ = went.odometry.goes_on_since();
+  }
+  recalled_.reset();
 }
 
 /// Who waits for looks since another break, goes on to wait: that moment may have been far ahead.
@@ -44,6 +95,9 @@ std::optional<Pose2> GuardMemory::note(std::size_t sensor, const Look& look, con
   choose_whereabouts(look.stamp, went, now);
   const auto robot = whereabouts_at(now.ros - look.stamp, went, now);
   if (robot) {
+    if (recalled_ && by_odometry_ && !is_over(*recalled_, now)) place_recalled(sensor, look.stamp, *robot, went, now);
+    latest_ = KeptPlaces{look.stamp, robot->pose, {}};
+    latest_at_ = now.steady;
     out_of_sight_.note(sensor, look, *robot, now.steady, way_during(look, went, now));
   } else {
     out_of_sight_.note_unplaced(sensor, now.steady);
@@ -68,6 +122,7 @@ void GuardMemory::choose_whereabouts(double stamp, const Went& went, const Insta
   const bool holds_any = out_of_sight_.holds_any(now.steady);
   if (speaks == by_odometry_ || (by_odometry_ && holds_any)) return;
   by_odometry_ = speaks;
+  latest_.reset();
   if (const auto there = by_odometry_at(now.ros, went); holds_any && there) {
     out_of_sight_.go_on_in_frame(went.given.whereabouts_at(now.steady), *there, now.steady);
   } else {
@@ -106,6 +161,7 @@ std::optional<Doubt> GuardMemory::doubt_at(const Instant& now, const Went& went,
   const bool is_placed_by_odometry = by_odometry_ && out_of_sight_.holds_any(now.steady);
   if (is_placed_by_odometry && went.odometry.breaks() != breaks_)
     return in_doubt("odometry jumped or paused, and what is out of sight cannot be placed");
+  if (recalled_) return in_doubt("no odometry, and what was out of sight before this start cannot be placed");
   if (waits_for(sensors)) return in_doubt("odometry jumped or paused, and not every sensor has looked since");
   if (is_placed_by_odometry && !(went.odometry.is_fresh(now.ros) && went.odometry.pose_at(now.ros)))
     return in_doubt("no odometry, and what is out of sight cannot be placed");
@@ -114,6 +170,7 @@ std::optional<Doubt> GuardMemory::doubt_at(const Instant& now, const Went& went,
 
 std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, const std::vector<GuardSensor>& sensors,
                                          const std::vector<bool>& shows, const Guard& guard) {
+  if (recalled_ && (is_over(*recalled_, now) || !remembers())) recalled_.reset();
   Known known;
   known.sensor = "memory";
   known.doubt = doubt_at(now, went, sensors);

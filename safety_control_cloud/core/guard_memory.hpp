@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "guard/given.hpp"
 #include "guard/guard.hpp"
+#include "guard/kept_places.hpp"
 #include "guard/odometry.hpp"
 #include "guard/out_of_sight.hpp"
 #include "guard_sensor.hpp"
@@ -33,6 +35,13 @@ class GuardMemory {
   /// Nothing is remembered, and nothing speaks against that.
   void forget();
 
+  /// What is placed by odometry, for another process to go on with; empty if nothing is.
+  std::string remembered() const;
+
+  /// Goes on with that once odometry does from where it was; false if it is not legible. Until then nobody knows where
+  /// what it tells of is.
+  bool recall(const std::string& remembered);
+
   /// Whether odometry did not go on since this was asked last, so that where the robot was by it is not known any more.
   bool note_breaks(const Went& went, const Instant& now);
 
@@ -53,6 +62,9 @@ class GuardMemory {
                               const std::vector<bool>& shows, const Guard& guard);
 
  private:
+  bool is_over(const KeptPlaces& kept, const Instant& now) const;
+  bool may_have_gone(const Pose2& way, double seconds) const;
+  void place_recalled(std::size_t sensor, double stamp, const Whereabouts& robot, const Went& went, const Instant& now);
   void choose_whereabouts(double stamp, const Went& went, const Instant& now);
   Pose2 way_during(const Look& look, const Went& went, const Instant& now) const;
   std::optional<Whereabouts> whereabouts_at(double age, const Went& went, const Instant& now) const;
@@ -62,9 +74,14 @@ class GuardMemory {
   OutOfSight out_of_sight_;
   double odometry_drift_;                 ///< [m/m], [rad/rad]
   double margin_;                         ///< [m]
+  double time_;                           ///< [s] for which anything is kept
+  double fastest_, fastest_turn_;         ///< [m/s], [rad/s] of the robot
   std::vector<std::vector<Ring>> rings_;  ///< as they were asked for last: of all sensors, or of each
   bool by_odometry_ = false;              ///< it is known where that is; or else by what the base was told
   std::size_t breaks_ = 0;                ///< of the odometry, after which that began
+  std::optional<KeptPlaces> recalled_;    ///< of another process, and not placed yet
+  std::optional<KeptPlaces> latest_;      ///< without its places: when and where the latest look was taken
+  double latest_at_ = 0.0;                ///< [s, steady]
   std::optional<double> jumped_;          ///< [s, ROS] since then odometry goes on, and not every sensor has looked
 };
 

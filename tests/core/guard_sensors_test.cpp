@@ -105,7 +105,7 @@ TEST(GuardSensors, WhatEachRemembersOutlivesTheProcessInTheirOrder) {
   before.behind = Scene({post(0.6f, 0.0f)});
   before.drives({0.1, 0.0, 0.0});
   const auto remembered = before.control.remembered();
-  ASSERT_EQ(remembered.size(), std::size_t{3});
+  ASSERT_EQ(remembered.size(), std::size_t{4});
   EXPECT_TRUE(remembered[front].empty());
   EXPECT_FALSE(remembered[rear].empty());
   RobotWithSensors after;

@@ -3,6 +3,7 @@
 import math
 import signal
 import time
+from contextlib import contextmanager
 
 import numpy as np
 import pytest
@@ -48,7 +49,9 @@ def odom_of(heading):
     return TFMessage([transform])
 
 
-def test_of_a_robot_whose_odometry_is_tf_what_it_turned_away_from_stays(master):
+@contextmanager
+def robot_that_turned_away_from_a_wall():
+    """Its TF says so, until that is ended. The wall is behind it now, where no sensor looks."""
     heading = [0.0]
     with guarded_robot(odom_frame="odom", unseen_speed=0.7, memory_distance=1.5) as robot:
         tf = Repeated("/tf", TFMessage, 50.0, odom_of)
@@ -61,11 +64,37 @@ def test_of_a_robot_whose_odometry_is_tf_what_it_turned_away_from_stays(master):
         for _ in range(50):
             time.sleep(0.04)
             heading[0] += math.pi / 50
-        robot.driver.say(twist(-0.5))
-        there = pytest.approx(-0.2 - 0.178, abs=0.08)  # once it has turned; the nearest of many returns lies before the wall
-        robot.gives(lambda state: state.sensor == "memory" and state.factor < 0.9 and state.nearest_point.x == there)
+        yield robot, tf
         tf.end()
+
+
+def remembers_the_wall(state):
+    there = pytest.approx(-0.2 - 0.178, abs=0.08)  # once it has turned; the nearest of many returns lies before the wall
+    return state.sensor == "memory" and state.factor < 0.9 and state.nearest_point.x == there
+
+
+def test_of_a_robot_whose_odometry_is_tf_what_it_turned_away_from_stays(master):
+    with robot_that_turned_away_from_a_wall() as (robot, tf):
+        robot.driver.say(twist(-0.5))
+        robot.gives(remembers_the_wall)
+        tf.say(None)
         robot.stands("NO_ODOMETRY")
+
+
+def test_what_a_robot_turned_away_from_outlives_the_node(master):
+    with robot_that_turned_away_from_a_wall() as (robot, tf):
+        robot.driver.say(twist(-0.5))
+        robot.gives(remembers_the_wall)
+        time.sleep(0.6)  # in which it is written down once more
+        robot.process.send(signal.SIGKILL)
+        robot.process.wait(5.0)
+        before = len(robot.commands.all())
+        with node("safety_control_node") as robot.process:
+            robot.gives(remembers_the_wall, within=START)
+            speeds = [command.linear.x for command in robot.commands.all()[before:]]
+            assert min(speeds) > -0.45, "at no time as if nothing were there"
+            robot.process.send(signal.SIGINT)
+            assert robot.process.wait(10.0) == 0, robot.process.output()
 
 
 def test_the_nodelet_guards_as_the_node_does(master):

@@ -177,5 +177,6 @@ def guarded_robot(
         finally:
             robot.end()
             name = namespace + "/safety_control_cloud"
-            if rospy.has_param(name):
-                rospy.delete_param(name)
+            for left in (name, name + "_lost"):  # the next one is another robot
+                if rospy.has_param(left):
+                    rospy.delete_param(left)

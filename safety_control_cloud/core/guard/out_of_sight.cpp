@@ -183,6 +183,25 @@ void OutOfSight::go_on_in_frame(const Whereabouts& robot, const Whereabouts& the
   looks_.go_on_in_frame(there);
 }
 
+std::vector<KeptPlace> OutOfSight::placed(const Whereabouts& robot, double now) const {
+  std::vector<KeptPlace> places;
+  for_each(robot, now, [&](const Place& place, const Here& here) {
+    places.push_back({here.place, place.z, here.off - own_size});
+  });
+  return places;
+}
+
+void OutOfSight::recall(const std::vector<KeptPlace>& places, std::size_t sensor, const Whereabouts& there,
+                        double now) {
+  looks_.take_placed(sensor, there, now);
+  const Turn turn(there.pose.heading);
+  for (const KeptPlace& one : places) {
+    const Point2 at = there.pose.place + turn(one.place);
+    const auto height = static_cast<float>(one.height);
+    places_.emplace(key_of(at, height), Place{at.x, at.y, height, looks_.latest(), now, one.off, believed});
+  }
+}
+
 std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Whereabouts& robot, double now) const {
   std::vector<KnownPlace> places;
   for_each(robot, now, [&](const Place& place, const Here& here) {

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "kept_places.hpp"
 #include "known_places.hpp"
 #include "looks_taken.hpp"
 #include "near_returns.hpp"
@@ -47,6 +48,12 @@ class OutOfSight {
 
   /// From now on another frame rests, in which the robot is `there`.
   void go_on_in_frame(const Whereabouts& robot, const Whereabouts& there, double now);
+
+  /// What is kept, around the robot.
+  std::vector<KeptPlace> placed(const Whereabouts& robot, double now) const;
+
+  /// From now on these too are kept, as if `sensor` had shown them to a robot that was there.
+  void recall(const std::vector<KeptPlace>& places, std::size_t sensor, const Whereabouts& there, double now);
 
   /// Whether anything would be kept.
   bool remembers() const { return limits_.vicinity.distance > 0.0 && limits_.time > 0.0; }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "../text/reader.hpp"
+
 namespace safety_control_cloud {
 namespace {
 
@@ -31,29 +33,6 @@ void write(const Remembered& thing, std::ostream& to) {
        << ' ' << spot.share << ' ' << int{spot.company} << ' ' << spot.stands;
   }
 }
-
-/// Reads values and remembers whether all of them made sense.
-class Reader {
- public:
-  explicit Reader(const std::string& text) : from_(text) {}
-
-  std::string word() {
-    std::string value;
-    from_ >> value;
-    return value;
-  }
-  double number(double least, double most) {
-    double value = 0.0;
-    good_ = good_ && from_ >> value && value >= least && value <= most;  // a NaN is neither
-    return good_ ? value : least;
-  }
-  std::size_t count(std::size_t most) { return static_cast<std::size_t>(number(0.0, static_cast<double>(most))); }
-  bool good() const { return good_; }
-
- private:
-  std::istringstream from_;
-  bool good_ = true;
-};
 
 Spot spot_in(Reader& reader) {
   constexpr double farthest = 100.0;

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pose.hpp"
+
+namespace safety_control_cloud {
+
+/// One of the places that are kept of what has left the picture.
+struct KeptPlace {
+  Point2 place;        ///< [m] in base_frame
+  double height, off;  ///< [m] above it; by which it may be displaced
+};
+
+/// What of them is written down, to outlive the process.
+struct KeptPlaces {
+  double stamp = 0.0;  ///< [s, ROS time] of the pose
+  Pose2 robot;         ///< in the frame of odometry
+  std::vector<KeptPlace> all;
+};
+
+/// A line of text of at most 50 kilobytes: of places that lie close to each other one, which may be displaced by as
+/// much more, and the nearest of too many. Empty if there is none.
+std::string to_text(const KeptPlaces& kept);
+
+/// What was written down; none if the text is not whole, or of another version.
+std::optional<KeptPlaces> kept_places_in(const std::string& text);
+
+}  // namespace safety_control_cloud

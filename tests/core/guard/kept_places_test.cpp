@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../../safety_control_cloud/core/guard/kept_places.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "robot_with_odometry.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+const Twist2 right{0.0, -0.7, 0.0};
+
+KeptPlaces some(std::size_t count, double spread) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-spread, spread);
+  KeptPlaces kept{1000.25, {{5.2e5 + 0.125, -5.4e6}, 2.5}, {}};
+  for (std::size_t i = 0; i < count; ++i) kept.all.push_back({{any(random), any(random)}, 0.3, 0.02});
+  return kept;
+}
+
+/// Whether some place of `kept` covers this one.
+bool covers(const KeptPlaces& kept, const KeptPlace& one) {
+  return std::any_of(kept.all.begin(), kept.all.end(), [&](const KeptPlace& place) {
+    return length_of(place.place - one.place) + one.off <= place.off + 2e-6 &&
+           std::abs(place.height - one.height) <= 0.05;
+  });
+}
+
+TEST(KeptPlaces, TextCoversEachPlace) {
+  const KeptPlaces kept = some(500, 1.5);
+  const auto read = kept_places_in(to_text(kept));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->stamp, kept.stamp);
+  EXPECT_EQ(read->robot.place.x, kept.robot.place.x);
+  EXPECT_EQ(read->robot.place.y, kept.robot.place.y);
+  EXPECT_EQ(read->robot.heading, kept.robot.heading);
+  for (const KeptPlace& one : kept.all) EXPECT_TRUE(covers(*read, one)) << one.place.x << ' ' << one.place.y;
+  for (const KeptPlace& one : read->all) EXPECT_LE(one.off, 0.02 + 0.031);
+}
+
+/// A process that is killed again and again does not widen what it has not placed yet.
+TEST(KeptPlaces, TextOfATextIsHardlyWider) {
+  KeptPlaces kept = some(100, 1.5);
+  for (int i = 0; i < 5; ++i) kept = *kept_places_in(to_text(kept));
+  for (const KeptPlace& one : kept.all) EXPECT_LE(one.off, 0.02 + 0.031);
+}
+
+TEST(KeptPlaces, OfTooManyTheNearestAreKept) {
+  const KeptPlaces kept = some(60000, 3.0);
+  const std::string text = to_text(kept);
+  EXPECT_LT(text.size(), std::size_t{50000});
+  const auto read = kept_places_in(text);
+  ASSERT_TRUE(read);
+  for (const KeptPlace& one : kept.all) {
+    if (length_of(one.place) < 0.9) {
+      EXPECT_TRUE(covers(*read, one));
+    }
+  }
+}
+
+TEST(KeptPlaces, OfNoneNothingIsWritten) { EXPECT_EQ(to_text(KeptPlaces{}), ""); }
+
+TEST(KeptPlaces, WhatIsNotWholeIsNotRead) {
+  const std::string text = to_text(some(3, 1.0));
+  ASSERT_TRUE(kept_places_in(text));
+  for (std::size_t length = 0; length + 1 < text.size(); ++length)
+    EXPECT_FALSE(kept_places_in(text.substr(0, length))) << length;
+  EXPECT_FALSE(kept_places_in("places-1 nan 0 0 0 1 1 1 1 1 end"));
+  EXPECT_FALSE(kept_places_in("places-1 1 0 0 0 1 1 1 1 -1 end"));
+  EXPECT_FALSE(kept_places_in("places-1 1 0 0 0 4294967295 end"));
+}
+
+/// A robot that has turned away from a post, which is on its right; and one that goes on after it was killed.
+struct Restarted {
+  RobotWithOdometry robot, next;
+  std::vector<std::string> remembered;
+
+  explicit Restarted(double seconds = 3.0, const Pose2& start = {}, int full_turns = 0) {
+    robot.pose = start;
+    robot.passes(0.5, with_post);
+    robot.turns(quarter + 4.0 * quarter * full_turns, robot.hall);
+    robot.passes(0.5, robot.hall);
+    remembered = robot.control.remembered();
+    next.now = robot.now;
+    next.now.steady += 5000.0;  // another computer's, or another boot
+    next.pass(seconds);
+    next.pose = robot.pose;
+    next.pose.heading = std::remainder(next.pose.heading, 4.0 * quarter);
+  }
+
+  const Guarded& asked(const Twist2& twist) {
+    EXPECT_TRUE(next.control.recall(remembered));
+    return next.asked(twist);
+  }
+};
+
+TEST(KeptPlaces, WhatHadLeftThePictureBeforeARestartStaysWhereItWas) {
+  for (const int full_turns : {0, 2}) {
+    Restarted restarted(3.0, {{5.2e5, 5.4e6}, 2.5}, full_turns), to_the_left = restarted;
+    const Guarded& answer = restarted.asked(right);
+    EXPECT_LT(answer.factor, 0.95) << answer.reason;
+    EXPECT_EQ(answer.sensor, "memory");
+    ASSERT_TRUE(answer.point);
+    EXPECT_NEAR(answer.point->y, -0.9 + 0.087, 0.08);
+    EXPECT_NEAR(answer.point->x, 0.0, 0.14);
+    EXPECT_EQ(to_the_left.asked({0.0, 0.5, 0.0}).factor, 1.0) << "nothing is there";
+    EXPECT_EQ(Restarted().next.asked(right).factor, 1.0) << "of whom nothing is recalled";
+  }
+}
+
+TEST(KeptPlaces, TheRobotThatRolledOnMeanwhileKnowsThemWhereTheyAre) {
+  Restarted restarted;
+  restarted.next.pose.place.x += 0.4;  // away from it, along its new left
+  const Pose2 way = between(restarted.robot.pose, restarted.next.pose);
+  const Guarded& answer = restarted.asked(right);
+  ASSERT_TRUE(answer.point) << answer.reason;
+  EXPECT_NEAR(answer.point->y, -0.9 + 0.087 - way.place.y, 0.12);
+  EXPECT_NEAR(answer.point->x, -way.place.x, 0.14);
+}
+
+TEST(KeptPlaces, UntilOdometrySpeaksNobodyKnowsWhereTheyAre) {
+  Restarted restarted;
+  restarted.next.has_odometry = false;
+  EXPECT_EQ(restarted.asked(right).cause, Cause::NoOdometry);
+  EXPECT_EQ(restarted.next.wants({0.1, 0.0, 0.0}).factor, 0.0);
+  EXPECT_EQ(restarted.next.control.remembered(), restarted.remembered) << "for the next one to go on with";
+  restarted.next.has_odometry = true;
+  EXPECT_LT(restarted.next.asked(right).factor, 0.95);
+}
+
+TEST(KeptPlaces, WhoNeverHearsOdometryForgetsThemOnceTheirTimeIsOver) {
+  Restarted restarted;
+  restarted.next.has_odometry = false;
+  EXPECT_EQ(restarted.asked(right).factor, 0.0);
+  restarted.next.passes(30.0, restarted.next.hall);
+  EXPECT_EQ(restarted.next.asked(right).factor, 1.0) << restarted.next.wants(right).reason;
+}
+
+TEST(KeptPlaces, OdometryThatBeganAnewHasJumped) {
+  Restarted restarted(3.0, {{50.0, 20.0}, 1.0});
+  restarted.next.pose = {};
+  ASSERT_TRUE(restarted.next.control.recall(restarted.remembered));
+  restarted.next.passes(0.15, restarted.next.hall);
+  EXPECT_EQ(restarted.next.wants(right).cause, Cause::NoOdometry);
+  EXPECT_EQ(restarted.next.asked(right).factor, 1.0) << "nobody knows any more";
+  EXPECT_EQ(restarted.next.control.remembered().back(), "");
+}
+
+TEST(KeptPlaces, ThoseOfLongAgoAreOver) {
+  for (const double seconds : {31.0, -31.0, 86400.0}) {
+    Restarted restarted(seconds);
+    EXPECT_EQ(restarted.asked(right).factor, 1.0) << seconds;
+  }
+}
+
+TEST(KeptPlaces, ResetForgetsThem) {
+  Restarted restarted;
+  ASSERT_TRUE(restarted.next.control.recall(restarted.remembered));
+  restarted.next.control.forget_losses();
+  EXPECT_EQ(restarted.next.asked(right).factor, 1.0);
+}
+
+TEST(KeptPlaces, WithoutOdometryNoneAreWritten) {
+  RobotWithOdometry robot;
+  robot.has_odometry = false;
+  robot.passes(0.5, with_post);
+  robot.turns(quarter, robot.hall);
+  EXPECT_EQ(robot.control.remembered().back(), "");
+}
+
+/// It looks at them again and sees what is behind.
+TEST(KeptPlaces, WhatHasGoneMeanwhileIsSeenToBeGone) {
+  Restarted restarted;
+  ASSERT_LT(restarted.asked(right).factor, 0.95);
+  restarted.next.turns(-quarter, restarted.next.hall);
+  restarted.next.passes(0.3, Scene({wall_before(1.5)}));
+  restarted.next.turns(quarter, restarted.next.hall);
+  EXPECT_EQ(restarted.next.asked(right).factor, 1.0) << restarted.next.wants(right).reason;
+}
+
+}  // namespace
+}  // namespace safety_control_cloud
