@@ -2,6 +2,7 @@
 #include "settings.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "../text/choice.hpp"
 
@@ -60,6 +61,12 @@ void check(const GuardSettings& guard, Problems& problems) {
   problems.require(guard.unseen_speed >= 0.0, "unseen_speed must not be negative");
   problems.require(guard.override_max >= 0.0, "override_max must not be negative");
   problems.require(guard.override_speed > 0.0, "override_speed must be positive");
+  for (const auto& [name, speed] :
+       {std::pair("escape_speed", guard.escape_speed), {"unseen_speed", guard.unseen_speed}})
+    problems.require(speed == 0.0 || speed >= guard.min_speed,
+                     std::string(name) + " must be 0 or at least min_speed: what is less becomes 0");
+  problems.require(guard.override_speed >= guard.min_speed,
+                   "override_speed must be at least min_speed: what is less becomes 0");
   problems.require(guard.latency >= 0.0, "latency must not be negative");
   problems.require(guard.base_reaction >= 0.0, "base_reaction must not be negative");
   problems.require(guard.angular_deceleration > 0.0, "angular_deceleration must be positive");
