@@ -135,7 +135,7 @@ std::vector<Known> GuardControl::known_at(const Instant& now) {
     const bool is_absent = known.doubt || (known.lost && known.lost->cause == Cause::Blind);
     if (is_absent && !sensor.is_required()) continue;
     if (outside_) known.doubt = outside_;
-    shows[i] = !known.is_placed;
+    shows[i] = sensor.shows() && !known.is_placed;
     all.push_back(std::move(known));
   }
   if (!all.empty()) {

@@ -189,7 +189,9 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
     known.doubt.reset();
   }
   if (outside_) known.doubt = outside_;
-  if (collected_ == Collected::Nothing || (collected_ == Collected::Before && !known.lost)) {
+  const bool is_away_free =
+      known.lost && (own_.input != InputKind::Scan || (own_.memory_distance > 0.0 && own_.memory_time > 0.0));
+  if (collected_ == Collected::Nothing || (collected_ == Collected::Before && !is_away_free)) {
     if (!known.doubt) known.doubt = Doubt{Cause::NoCloud, "no cloud has been seen by these settings yet"};
     return known;
   }

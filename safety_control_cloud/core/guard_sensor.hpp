@@ -57,6 +57,9 @@ class GuardSensor {
   /// [s, ROS] When a reading was taken that comes now, as far as its stamp is believed.
   double taken_at(const Origin& origin, const Instant& now) const;
 
+  /// Whether what it lets one know is its latest look.
+  bool shows() const { return collected_ == Collected::Now; }
+
   /// Where it looked last; none: it shows nothing.
   std::optional<Eye> eye() const { return taken_ ? std::optional(taken_->eye) : std::nullopt; }
 

@@ -61,6 +61,41 @@ TEST(Lasers, AWholeScanOfInfinitiesIsBlindUnlessTheyAreFree) {
   }
 }
 
+/// Beside a robot like a T, which has a wing on each side, before one of them as it backs off.
+TEST(Lasers, WhatABlindOneShowedBeforeALiveChangeStillCounts) {
+  for (const bool remembers : {true, false}) {
+    for (const bool changed : {false, true}) {
+      Settings settings = guard_settings();
+      settings.sensors = {{"laser", InputKind::Scan, "scan", true, {}}};
+      settings.footprint.text =
+          "[[-0.5,-0.15],[0.2,-0.15],[0.2,-0.5],[0.4,-0.5],[0.4,0.5],[0.2,0.5],[0.2,0.15],[-0.5,0.15]]";
+      settings.memory_distance = remembers ? 1.5 : 0.0;
+      RobotWithSensors robot(settings);
+      robot.ranges.assign(240, 5.0f);
+      robot.first_bearing = -2.0 * pi / 3.0;
+      const auto stands = [&] {
+        for (int i = 0; i < 10; ++i) {
+          robot.pass(0.05);
+          robot.control.note_odometry(robot.now.ros, {}, {});
+          robot.see_scan(0);
+          robot.wants({});
+        }
+      };
+      const auto post = static_cast<std::size_t>(120.0 + std::atan2(0.4, 0.12) * 180.0 / pi);
+      for (std::size_t i = post - 3; i <= post + 3; ++i) robot.ranges[i] = 0.4f;
+      stands();
+      ASSERT_LT(robot.wants({-0.1, 0.0, 0.0}).factor, 0.9) << robot.wants({}).reason;
+      settings.max_speed = 0.6;
+      if (changed) robot.control.adopt(settings);
+      robot.ranges.assign(240, std::numeric_limits<float>::quiet_NaN());
+      stands();
+      const Guarded& answer = robot.wants({-0.1, 0.0, 0.0});
+      EXPECT_LT(answer.factor, 0.95) << remembers << changed << ": " << answer.reason;
+      EXPECT_EQ(answer.cause == Cause::NoCloud, changed && !remembers) << answer.reason;
+    }
+  }
+}
+
 TEST(Lasers, ABlindLaserThatLooksAllAroundLeavesNoWayAway) {
   RobotWithSensors robot;
   ASSERT_EQ(robot.drives({-0.1, 0.0, 0.0}).factor, 1.0);

@@ -55,7 +55,7 @@ struct RobotWithSensors : GuardedRobot {
   void see_scan(std::size_t sensor = laser) {
     Scan scan;
     scan.angle_min = first_bearing, scan.angle_increment = 2.0 * pi / 360.0;
-    scan.angle_max = first_bearing + 2.0 * pi - scan.angle_increment;
+    scan.angle_max = first_bearing + static_cast<double>(ranges.size() - 1) * scan.angle_increment;
     scan.scan_time = 0.1, scan.range_min = 0.1, scan.range_max = range_max;
     scan.ranges = ranges.data(), scan.size = ranges.size();
     control.see(scans.of(scan), {now.ros, laser_place, "laser", "laser"}, now, sensor);
