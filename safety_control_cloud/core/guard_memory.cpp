@@ -77,15 +77,20 @@ void GuardMemory::place_recalled(std::size_t sensor, double stamp, const Whereab
   if (may_have_gone(between(then, robot.pose), stamp - recalled_->stamp)) {
     out_of_sight_.recall(recalled_->all, sensor, {then, {}, odometry_drift_}, now.steady);
   } else {
-    jumped_ = went.odometry.goes_on_since();
+    jumped_ = looks_since(went, now);
   }
   recalled_.reset();
+}
+
+/// The base's clock may be ahead of all the others.
+double GuardMemory::looks_since(const Went& went, const Instant& now) {
+  return std::min(went.odometry.goes_on_since(), now.ros);
 }
 
 /// Who waits for looks since another break, goes on to wait: that moment may have been far ahead.
 bool GuardMemory::note_breaks(const Went& went, const Instant& now) {
   if (went.odometry.breaks() == breaks_) return false;
-  if (jumped_ || (by_odometry_ && out_of_sight_.holds_any(now.steady))) jumped_ = went.odometry.goes_on_since();
+  if (jumped_ || (by_odometry_ && out_of_sight_.holds_any(now.steady))) jumped_ = looks_since(went, now);
   breaks_ = went.odometry.breaks();
   if (by_odometry_) out_of_sight_.forget();
   return by_odometry_;

@@ -65,6 +65,7 @@ class GuardMemory {
   bool is_over(const KeptPlaces& kept, const Instant& now) const;
   bool may_have_gone(const Pose2& way, double seconds) const;
   void place_recalled(std::size_t sensor, double stamp, const Whereabouts& robot, const Went& went, const Instant& now);
+  static double looks_since(const Went& went, const Instant& now);
   void choose_whereabouts(double stamp, const Went& went, const Instant& now);
   Pose2 way_during(const Look& look, const Went& went, const Instant& now) const;
   std::optional<Whereabouts> whereabouts_at(double age, const Went& went, const Instant& now) const;

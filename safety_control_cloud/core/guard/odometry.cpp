@@ -28,6 +28,7 @@ void Odometry::note(double stamp, const Pose2& pose, const Twist2& twist) {
     forget();
     return;
   }
+  if (is_known(next)) return;
   tells_twists_ = tells_twists_ || speed_of(twist) > 0.0 || twist.w != 0.0;
   if (!noted_.empty() && !goes_on(next)) forget();
   if (noted_.empty()) {
@@ -74,6 +75,15 @@ Drift Odometry::unexplained_by(const Noted& next) const {
   }
   const double explained = (1.0 + most_off_rate) * (next.stamp - last.stamp);
   return {length_of(way.place) - explained * speed, std::abs(wrapped(way.heading)) - explained * turning};
+}
+
+/// A relay or a driver of two threads says some things twice, and some in another order.
+bool Odometry::is_known(const Noted& said) const {
+  if (noted_.empty()) return false;
+  const double latest = noted_.back().stamp;
+  if (said.stamp > latest || said.stamp < std::max(noted_.front().stamp, latest - longest_gap)) return false;
+  const Pose2 off = between(interpolated(said.stamp), said.pose);
+  return length_of(off.place) <= noise && std::abs(wrapped(off.heading)) <= noise;
 }
 
 bool Odometry::goes_on(const Noted& next) const {

@@ -12,7 +12,8 @@
 namespace safety_control_cloud {
 
 /// What the base says of where it went. It is believed as long as it goes on without a gap, a jump or a number that is
-/// none; what is older than the latest of these is not known.
+/// none; what is older than the latest of these is not known. What comes twice, or late by less than a gap, is passed
+/// over if it is where the robot is known to have been.
 class Odometry {
  public:
   /// The robot was at this pose of a frame that rests, and had this twist, at `stamp` [s, ROS time].
@@ -58,6 +59,7 @@ class Odometry {
 
   Drift unexplained_by(const Noted& next) const;
   bool goes_on(const Noted& next) const;
+  bool is_known(const Noted& said) const;
   void forget();
   Pose2 interpolated(double stamp) const;
 
