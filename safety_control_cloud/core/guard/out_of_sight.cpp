@@ -9,9 +9,11 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double cell = 0.015, layer = 0.1;  ///< [m] across and up
-constexpr std::size_t most = 30000;          ///< places
-constexpr std::uint8_t believed = 2;         ///< looks that show a place, or what is behind it
+constexpr double cell = 0.015, layer = 0.1;   ///< [m] across and up
+constexpr std::size_t most = 30000;           ///< places
+constexpr std::size_t most_of_a_look = 8560;  ///< of these: of a scan with more beams, the last are not kept
+constexpr double kept_share = 0.75;           ///< of them where there are too many
+constexpr std::uint8_t believed = 2;          ///< looks that show a place, or what is behind it
 /// [m] Places are told apart by these; what may be off by more than the last is as the one that is off the most.
 constexpr std::array<double, 12> displaced = {0.015, 0.02, 0.03, 0.045, 0.07, 0.12, 0.2, 0.3, 0.45, 0.7, 1.0, 1.5};
 constexpr double well_known = 0.2;    ///< [m] what may be off by more explains nothing that is lost
@@ -37,8 +39,9 @@ void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& r
   looks_.take_placed(sensor, robot, now);
   drop_what_is_over(now);
   if (!remembers()) return places_.clear();
-  const SeenAt seen_at(look.reading, look.view);
+  const SeenAt seen_at(look, limits_.vicinity);
   if (!seen_at.can_tell()) return;
+  make_room(robot.pose.place);
   for (const NearReturn& seen : near_returns(look, limits_.vicinity, robot.pose, meanwhile))
     keep(seen, now, displacement(meanwhile, seen.range));
   drop_what_has_gone(look, seen_at, robot, now, meanwhile);
@@ -53,6 +56,18 @@ void OutOfSight::drop_what_is_over(double now) {
   looks_.forget_before(now - limits_.time);
   for (auto it = places_.begin(); it != places_.end();)
     it = shown_by(it->second, now) ? std::next(it) : places_.erase(it);
+}
+
+/// For all that one look may show: of too many, the farthest are forgotten.
+void OutOfSight::make_room(const Point2& robot) {
+  if (places_.size() + most_of_a_look <= most) return;
+  const auto range = [&](const Place& place) { return length_of(Point2{place.x, place.y} - robot); };
+  std::vector<double> ranges;
+  for (const auto& [key, place] : places_) ranges.push_back(range(place));
+  const auto last = ranges.begin() + static_cast<std::ptrdiff_t>(kept_share * static_cast<double>(ranges.size()));
+  std::nth_element(ranges.begin(), last, ranges.end());
+  for (auto it = places_.begin(); it != places_.end();)
+    it = range(it->second) > *last ? places_.erase(it) : std::next(it);
 }
 
 /// The latest look that showed it; none: its time is over.
@@ -129,6 +144,10 @@ void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, con
       ask_also_at(here + left);
       ask_also_at(here - left);
     }
+    if (seen == AtPlace::ShownFar) {
+      place.off += by_way + drifted;  // it is where it was taken to be, or within that
+      place.look = looks_.latest();
+    }
     const bool is_measured = there.getVector3fMap().norm() >= static_cast<float>(look.measures_from + beside);
     it = has_gone(place, seen, is_measured, now) ? places_.erase(it) : std::next(it);
   }
@@ -137,7 +156,8 @@ void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, con
 /// What is shown has its place anew, from this look. What a sensor could measure and does not is kept for a while: some
 /// things return from one side only.
 bool OutOfSight::has_gone(Place& place, AtPlace seen, bool is_measured, double now) const {
-  if (seen == AtPlace::NotThere || (seen == AtPlace::Nothing && !is_measured)) {
+  const bool tells_nothing = seen == AtPlace::NotThere || (seen == AtPlace::Nothing && !is_measured);
+  if (tells_nothing || seen == AtPlace::ShownFar) {
     place.absent_since.reset();
     return false;
   }

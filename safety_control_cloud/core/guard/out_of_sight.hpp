@@ -91,6 +91,7 @@ class OutOfSight {
 
   const LooksTaken::Taken* shown_by(const Place& place, double now) const;
   void drop_what_is_over(double now);
+  void make_room(const Point2& robot);
   bool counts(const Place& place, double now) const;
   template <class Visit>
   void for_each(const Whereabouts& robot, double now, Visit visit) const;

@@ -26,7 +26,9 @@ class Around {
     ++pixels_;
     all_returned_ = all_returned_ && returned;
     none_before_ = none_before_ && !(returned && seen < distance_ - tolerance_);
-    if (returned && std::abs(seen - distance_) <= tolerance_) ++there_;
+    if (!(returned && std::abs(seen - distance_) <= tolerance_)) return;
+    ++there_;
+    seen_there_ += seen;
   }
   /// A single stray return shows nothing.
   AtPlace answer() const {
@@ -34,12 +36,15 @@ class Around {
     if (!none_before_ || (there_ > 0 && !may_lie_beside_)) return AtPlace::NotThere;
     return all_returned_ ? AtPlace::Behind : AtPlace::Nothing;
   }
+  /// How far what is there lies, in the mean, as a share of the distance that was asked about.
+  double share() const { return seen_there_ / (there_ * distance_); }
 
  private:
   double distance_, tolerance_;  ///< [m]
   bool may_lie_beside_;
   bool all_returned_ = true, none_before_ = true;
   int pixels_ = 0, there_ = 0;
+  double seen_there_ = 0.0;  ///< [m] in sum
 };
 
 float range_min_of(const Reading& reading) {
@@ -53,6 +58,11 @@ std::optional<FieldOfView> picture_in(const Reading& reading, const View& view) 
   return seen ? std::optional(*seen) : std::nullopt;
 }
 
+Point scaled(const Point& point, double by) {
+  const auto share = static_cast<float>(by);
+  return Point(share * point.x, share * point.y, share * point.z);
+}
+
 /// [rad] from the first bearing on, in whichever turn that lies.
 double bearing_in(const ScanView& scan, const Point& place) {
   const double beyond = std::fmod(std::atan2(place.y, place.x) - scan.first, turn);
@@ -61,14 +71,27 @@ double bearing_in(const ScanView& scan, const Point& place) {
 
 }  // namespace
 
-SeenAt::SeenAt(const Reading& reading, const View& view)
-    : pixels_(view, range_min_of(reading)),
-      picture_(picture_in(reading, view)),
-      scan_(std::get_if<ScanView>(&reading)) {}
+SeenAt::SeenAt(const Look& look, const Vicinity& vicinity)
+    : look_(look),
+      vicinity_(vicinity),
+      pixels_(look.view, range_min_of(look.reading)),
+      picture_(picture_in(look.reading, look.view)),
+      scan_(std::get_if<ScanView>(&look.reading)) {}
 
 AtPlace SeenAt::operator()(const Point& place, double off, double aside) const {
   if (scan_) return in_scan(place, off, aside);
   return picture_ ? in_picture(place, off) : AtPlace::NotThere;
+}
+
+/// What a return that lies there, in the sensor's frame, tells of what is remembered there: what is not kept anew must
+/// not be forgotten, and of what a part of the robot hides nobody knows.
+AtPlace SeenAt::shown_at(const Point& place) const {
+  const Point placed = look_.outlook.placed(place.x, place.y, place.z);
+  const Point2 seen{placed.z, -placed.x};
+  const double height = -placed.y;
+  if (is_own(vicinity_.self, seen.x, seen.y, height)) return AtPlace::NotThere;
+  if (height < vicinity_.bottom || height > vicinity_.top) return AtPlace::NotThere;
+  return length_of(seen) > vicinity_.distance ? AtPlace::ShownFar : AtPlace::Shown;
 }
 
 /// The pixel that looks there, corrected by the rays of those that returned: a lens may bend them.
@@ -92,7 +115,8 @@ AtPlace SeenAt::in_picture(const Point& place, double off) const {
   Around around(place.z, off);
   for (const float z : pixels_.around(static_cast<std::size_t>(r), static_cast<std::size_t>(c)))
     around.add(!std::isnan(z), z);
-  return around.answer();
+  const AtPlace answer = around.answer();
+  return answer == AtPlace::Shown ? shown_at(scaled(place, around.share())) : answer;
 }
 
 AtPlace SeenAt::in_scan(const Point& place, double off, double aside) const {
@@ -111,7 +135,8 @@ AtPlace SeenAt::in_scan(const Point& place, double off, double aside) const {
     const Point seen = pixels_.near(0, scan_->descending ? last - beam : beam);
     around.add(returned(seen), std::hypot(seen.x, seen.y));
   }
-  return around.answer();
+  const AtPlace answer = around.answer();
+  return answer == AtPlace::Shown ? shown_at(scaled(place, around.share())) : answer;
 }
 
 }  // namespace safety_control_cloud

@@ -7,21 +7,23 @@
 #include "../input/reading.hpp"
 #include "../look/field_of_view.hpp"
 #include "../memory/pixels.hpp"
+#include "near_returns.hpp"
 
 namespace safety_control_cloud {
 
 /// What a look shows where something is remembered; the more it says of that, the later.
 enum class AtPlace : std::uint8_t {
-  NotThere,  ///< it does not look there, or at something before it
+  NotThere,  ///< it does not look there, or at something before it, or at a part of the robot
   Nothing,   ///< it looks there, and nothing returns from it nor before it
   Behind,    ///< all that returns from around its direction lies behind it
-  Shown,     ///< most of what returns from around its direction lies where it does
+  ShownFar,  ///< as Shown, but too far from the robot to be kept anew
+  Shown,     ///< most of what returns from around its direction lies where it does, and is kept anew
 };
 
-/// Asks one look about places, in the sensor's own frame.
+/// Asks one look about places, in the sensor's own frame. Of what it shows, only returns in the vicinity are kept.
 class SeenAt {
  public:
-  SeenAt(const Reading& reading, const View& view);
+  SeenAt(const Look& look, const Vicinity& vicinity);
 
   /// A picture in rows and columns, or a scan: of others nothing can be told.
   bool can_tell() const { return picture_ || scan_; }
@@ -33,7 +35,10 @@ class SeenAt {
  private:
   AtPlace in_picture(const Point& place, double off) const;
   AtPlace in_scan(const Point& place, double off, double aside) const;
+  AtPlace shown_at(const Point& place) const;
 
+  const Look& look_;
+  const Vicinity& vicinity_;
   Pixels pixels_;
   std::optional<FieldOfView> picture_;
   const ScanView* scan_;

@@ -63,9 +63,96 @@ TEST(OutOfSight, OneStampOfOdometryFarAheadIsNotWaitedFor) {
   robot.turns(quarter, robot.hall);
   robot.control.note_odometry(robot.now.ros + 1000.0, robot.pose, {});
   robot.pass(0.05);
-  robot.see(robot.hall);
   EXPECT_EQ(robot.wants(left).cause, Cause::NoOdometry);
   EXPECT_EQ(robot.asked(left).factor, 1.0) << robot.wants(left).reason;
+}
+
+TEST(OutOfSight, OdometryWhoseClockIsSetAheadIsNotWaitedForEither) {
+  for (const double ahead : {0.5, 2.0, 60.0, 3600.0}) {
+    RobotWithOdometry robot;
+    robot.passes(0.5, with_post);
+    robot.turns(quarter, robot.hall);
+    robot.odometry_ahead = ahead;
+    EXPECT_EQ(robot.asked(left).factor, 1.0) << ahead << ": " << robot.wants(left).reason;
+  }
+}
+
+/// A relay says some things twice, a driver of two threads some in another order.
+TEST(OutOfSight, OdometryThatComesTwiceOrALittleLateForgetsNothing) {
+  for (const double late : {0.0, 0.003, 0.02, 0.2}) {
+    RobotWithOdometry robot;
+    robot.passes(0.5, with_post);
+    robot.turns(quarter, robot.hall);
+    robot.passes(0.5, robot.hall);
+    robot.control.note_odometry(robot.now.ros - late, robot.pose, robot.twist);
+    EXPECT_LT(robot.asked({0.0, -0.7, 0.0}).factor, 0.95) << late << ": " << robot.wants({}).reason;
+  }
+}
+
+/// Shown as it goes, too far away to be kept anew, and for longer than anything is kept.
+TEST(OutOfSight, WhatIsSeenFartherAwayThanTheMemoryReachesHasNotGone) {
+  for (const float away : {0.0f, 0.2f, 0.8f}) {
+    RobotWithOdometry robot(remembering(1.0));
+    robot.passes(0.5, with_post);
+    const int steps = static_cast<int>(std::lround(away / 0.01f));
+    robot.twist = {-0.2, 0.0, 0.0};
+    for (int i = 1; i <= steps; ++i) {
+      robot.pose.place.x -= 0.01;
+      robot.passes(0.05, Scene({post(0.9f + 0.01f * static_cast<float>(i), 0.0f)}));
+    }
+    robot.twist = {};
+    robot.passes(40.0, Scene({post(0.9f + away, 0.0f)}));
+    robot.turns(quarter, robot.hall);
+    robot.twist = {0.0, -0.2, 0.0};
+    for (int i = 0; i < steps; ++i) {
+      robot.pose.place.x += 0.01;
+      robot.passes(0.05, robot.hall);
+    }
+    robot.twist = {};
+    const Guarded& answer = robot.asked({0.0, -0.7, 0.0});
+    EXPECT_LT(answer.factor, 0.95) << away << ": " << answer.reason;
+    EXPECT_EQ(answer.sensor, "memory");
+  }
+}
+
+/// A gripper before the camera, and a post that is seen beside it and then, once the robot has turned, behind it.
+TEST(OutOfSight, WhatAPartOfTheRobotHidesHasNotGone) {
+  for (const float width : {0.1f, 0.2f}) {
+    Settings settings = remembering();
+    settings.self_boxes.text = "[[0.33, 0.39, -0.15, 0.15, 0.0, 1.0]]";
+    RobotWithOdometry robot(settings);
+    const Board gripper{0.46f, -width / 2, width / 2, -0.2f, 0.2f};
+    const Scene before({gripper, post(0.48f, 0.18f)}), after({gripper});
+    robot.passes(0.5, before);
+    robot.turns(-std::atan2(0.18, 0.393), after);
+    robot.passes(1.0, after);
+    const Guarded& answer = robot.wants({0.6, 0.0, 0.0});
+    EXPECT_LT(answer.factor, 0.95) << width << ": " << answer.reason;
+    EXPECT_EQ(answer.sensor, "memory");
+    RobotWithOdometry alone(settings);
+    alone.passes(1.0, after);
+    EXPECT_EQ(alone.wants({0.6, 0.0, 0.0}).factor, 1.0) << "itself it does not stop for";
+  }
+}
+
+/// Of too many places those nearby are kept, however long before others have come.
+TEST(OutOfSight, WhatIsNearIsKeptHoweverMuchIsRemembered) {
+  Settings settings = remembering();
+  settings.memory_time = 600.0;
+  RobotWithOdometry robot(settings);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> beside(-0.8f, 0.8f), ahead(0.7f, 1.4f);
+  for (int i = 0; i < 400; ++i) {  // through a wood
+    std::vector<Board> posts;
+    for (int j = 0; j < 6; ++j) posts.push_back(post(ahead(random), beside(random), 0.3f));
+    robot.pose.place.x += 3.0;
+    robot.twist = {60.0, 0.0, 0.0};
+    robot.passes(0.15, Scene(posts));
+  }
+  robot.twist = {};
+  robot.passes(0.5, with_post);
+  robot.turns(quarter, robot.hall);
+  EXPECT_LT(robot.asked({0.0, -0.7, 0.0}).factor, 0.95) << robot.wants({}).reason;
 }
 
 TEST(OutOfSight, WhatIsSeenThroughIsForgotten) {

@@ -23,11 +23,12 @@ struct RobotWithOdometry : GuardedRobot {
   Pose2 pose;
   Twist2 twist;
   bool has_odometry = true;
+  double odometry_ahead = 0.0;  ///< [s] its clock
 
   void passes(double seconds, const Scene& scene) {
     for (double t = 0.0; t < seconds; t += 0.05) {
       pass(0.05);
-      if (has_odometry) control.note_odometry(now.ros, pose, twist);
+      if (has_odometry) control.note_odometry(now.ros + odometry_ahead, pose, twist);
       see(scene);
       wants({});
     }
