@@ -23,7 +23,7 @@ Picture picture_of(const Sight& sight, const Origin& origin) {
     return sight.total == 0 ? 0.0 : static_cast<double>(some) / static_cast<double>(sight.total);
   };
   const auto nearest = sight.nearest ? std::optional<double>(sight.nearest->distance()) : std::nullopt;
-  return Picture{origin.stamp, origin.frame, share_of(sight.returns), nearest, share_of(sight.inside)};
+  return Picture{origin.stamp, origin.frame, share_of(sight.returns), nearest, share_of(sight.inside), sight.total};
 }
 
 Returned returned_in(const View& view, const Sight& counted) {

@@ -15,6 +15,7 @@ constexpr std::ptrdiff_t of_each =
 
 constexpr double same_share = 0.02;      ///< of returns: no more than noise
 constexpr double same_inside = 0.005;    ///< of all points
+constexpr double by_chance = 4.0;        ///< standard deviations of a share of few points
 constexpr double same_nearest = 0.05;    ///< [m] no more than noise and what a robot drives in as many pictures
 constexpr double nothing_nearest = 1e9;  ///< [m]
 
@@ -51,13 +52,24 @@ std::size_t changes_of(const std::function<double(const Picture&)>& value, doubl
   return changes;
 }
 
+/// By how much a share differs from one picture of a camera to the next.
+double same_for(double least, double (*share_in)(const Picture&), const Pictures& pictures) {
+  const auto points = static_cast<double>(pictures.back().points);
+  if (points == 0.0) return least;
+  double share = 0.0;
+  for (const Picture& picture : pictures) share += share_in(picture) / static_cast<double>(pictures.size());
+  return std::max(least, by_chance * std::sqrt(std::max(0.0, share * (1.0 - share)) / points));
+}
+
 double returns_in(const Picture& picture) { return picture.returns; }
 double inside_in(const Picture& picture) { return picture.inside; }
 double nearest_in(const Picture& picture) { return picture.nearest.value_or(nothing_nearest); }
 
 bool are_of_two(const Pictures& pictures) {
+  const double returns = same_for(same_share, returns_in, pictures);
+  const double inside = same_for(same_inside, inside_in, pictures);
   return changes_of_frame(pictures) >= many || steps_back(pictures) >= many ||
-         changes_of(returns_in, same_share, pictures) >= many || changes_of(inside_in, same_inside, pictures) >= many ||
+         changes_of(returns_in, returns, pictures) >= many || changes_of(inside_in, inside, pictures) >= many ||
          changes_of(nearest_in, same_nearest, pictures) == looked_at - 1;
 }
 

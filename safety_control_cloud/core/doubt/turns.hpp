@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <optional>
 #include <string>
@@ -16,6 +17,7 @@ struct Picture {
   double returns = 0.0;             ///< their share of all points
   std::optional<double> nearest{};  ///< [m]
   double inside = 0.0;              ///< the corridor, as a share of all points
+  std::size_t points = 0;           ///< all of them; 0: so many that chance changes no share
 };
 
 /// Knows when the pictures of two cameras come in turn, though one publisher sends them: two drivers in one process

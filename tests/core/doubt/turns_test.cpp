@@ -72,6 +72,22 @@ TEST(Turns, FalsePointsThatComeAndGoAreOneCameras) {
   }
 }
 
+/// Of few points some more or less return by chance.
+TEST(Turns, ASmallPictureIsOneCameras) {
+  std::mt19937 random(4);
+  for (const int points : {64, 200, 768, 3072}) {
+    for (const double share : {0.02, 0.1, 0.3, 0.8}) {
+      std::binomial_distribution<int> some(points, share);
+      Camera camera;
+      const auto all = static_cast<double>(points);
+      for (int i = 0; i < 5000; ++i) {
+        const Picture picture{0.0, "camera", some(random) / all, 2.0, some(random) / all, std::size_t(points)};
+        ASSERT_FALSE(camera.sends(picture)) << points << " points, " << share << ", " << i;
+      }
+    }
+  }
+}
+
 TEST(Turns, PixelThatFlickersIsOneCameras) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> chance(0.0, 1.0);
