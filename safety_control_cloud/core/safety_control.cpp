@@ -33,6 +33,14 @@ void SafetyControl::adopt(const Settings& settings) {
   settings_ = checked(settings);
   for (Sensor& sensor : sensors_) sensor.adopt(settings_);
   latch_.hold(settings_.release);
+  worsen();
+}
+
+/// What was seen is worth less by other settings at once, and more with the next cloud.
+void SafetyControl::worsen() {
+  const double speed = last_.speed;
+  if (Decision anew = verdict(); anew.zone < last_.zone) last_ = std::move(anew);
+  last_.speed = std::min(speed, speed_for(last_.zone, settings_.speeds));
 }
 
 void SafetyControl::forget_losses() {

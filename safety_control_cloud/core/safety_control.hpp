@@ -48,6 +48,7 @@ class SafetyControl {
   /// The worst that the sensors say, of equals the first; before all of them a doubt from outside.
   Decision verdict() const;
   const Decision& latched(Decision verdict, double now);
+  void worsen();
 
   Settings settings_;
   std::vector<Sensor> sensors_;

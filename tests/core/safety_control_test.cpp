@@ -145,6 +145,25 @@ TEST(SafetyControl, UnfitSettingsAreNotTakenAndTheOldOnesStay) {
   EXPECT_EQ(decide_at(2.0, control).speed, 0.5);
 }
 
+TEST(SafetyControl, OtherSettingsCountAtOnceWhereTheyAreSlower) {
+  for (const double distance : {2.0, 0.8}) {
+    SafetyControl control{Settings{}};
+    const double before = decide_at(distance, control, 1.0).speed;
+    Settings settings;
+    settings.speeds.safe = settings.speeds.warning = 0.05;
+    control.adopt(settings);
+    EXPECT_EQ(control.without_cloud({1.05, 1.05}).speed, 0.05);
+    control.adopt(Settings{});
+    EXPECT_EQ(control.without_cloud({1.05, 1.05}).speed, 0.05) << "faster with the next cloud";
+    settings.limits = {2.5, 2.2};
+    control.adopt(settings);
+    EXPECT_EQ(control.without_cloud({1.05, 1.05}).speed, 0.0);
+    EXPECT_EQ(control.without_cloud({1.05, 1.05}).zone, Zone::Danger);
+    control.adopt(Settings{});
+    EXPECT_EQ(decide_at(distance, control, 1.1).speed, before);
+  }
+}
+
 TEST(SafetyControl, UnfitSettingsAreRefusedWithEveryProblem) {
   Settings settings;
   settings.limits.danger = 2.0;
