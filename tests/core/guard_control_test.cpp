@@ -135,7 +135,7 @@ TEST(GuardControl, AFasterCommandThanTheRobotMayIsScaled) {
 
 TEST(GuardControl, WhatABaseWouldNotObeyIsZeroAndStuck) {
   Settings settings = guard_settings();
-  settings.min_speed = 0.5;
+  settings.min_speed = 0.5, settings.escape_speed = 0.5, settings.unseen_speed = 0.5, settings.override_speed = 0.5;
   GuardedRobot robot(settings);
   const Guarded& answer = robot.drives(Scene({wall_before(0.4)}), {0.6, 0.0, 0.0});
   EXPECT_EQ(answer.factor, 0.0);

@@ -54,10 +54,14 @@ bool is_within(const Pixels& picture, std::ptrdiff_t row, std::ptrdiff_t column,
 /// Whether nothing returns at a place in the picture, nor within so many pixels on two sides of it.
 bool is_hole(const Pixels& picture, std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t within) {
   if (!is_within(picture, row, column, within)) return false;
+  const auto is_empty = [&](std::ptrdiff_t r, std::ptrdiff_t c) {
+    return !returned(picture.near(r, c)) &&
+           !picture.never_returns(static_cast<std::size_t>(r), static_cast<std::size_t>(c));
+  };
   bool across = true, along = true;
   for (std::ptrdiff_t i = -within; i <= within && (across || along); ++i) {
-    across = across && !returned(picture.near(row, column + i));
-    along = along && !returned(picture.near(row + i, column));
+    across = across && is_empty(row, column + i);
+    along = along && is_empty(row + i, column);
   }
   return across || along;
 }

@@ -125,10 +125,12 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
 /// may fill a hole in it for a moment.
 std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight, const Outlook& outlook) {
   const bool any_near = sight.nearest && sight.nearest->distance() - outlook.camera().z < watched_distance();
-  if (things_.empty() && !any_near) return std::nullopt;
-  const View raster = raster_.picture_of(view, outlook.corridor);
+  const bool free = things_.empty() && !any_near;
+  if (free && !raster_.usual().learns()) return std::nullopt;
+  const View raster = raster_.picture_of(view, outlook.corridor, !free);
+  if (free) return std::nullopt;
   const bool sparse = 10 * raster_.filled() > 7 * sight.returns;
-  Pixels picture(raster, outlook.corridor.range_min, sparse ? nullptr : &raster_.hits());
+  Pixels picture(raster, outlook.corridor.range_min, sparse ? nullptr : &raster_.hits(), &raster_.usual());
   picture.frame(raster_.framing());
   move_to({raster_.grid(), picture.width(), picture.height()});
   ground_.look_at(picture, outlook, near_distance());

@@ -30,8 +30,8 @@ std::array<float, 9> Pixels::read_around(const Pixels& picture, std::size_t row,
   return z;
 }
 
-Pixels::Pixels(const View& view, float range_min, const RayHits* hits)
-    : width_(width_of(view)), height_(height_of(view)), range_min_(range_min), hits_(hits) {
+Pixels::Pixels(const View& view, float range_min, const RayHits* hits, const UsualCells* usual)
+    : width_(width_of(view)), height_(height_of(view)), range_min_(range_min), hits_(hits), usual_(usual) {
   framing_.middle_row = 0.5 * static_cast<double>(height_);
   framing_.middle_column = 0.5 * static_cast<double>(width_);
   with_reader(view, [this](const auto& reader) {

@@ -9,6 +9,7 @@
 #include "../input/point_reader.hpp"
 #include "../look/outlook.hpp"
 #include "ray_hits.hpp"
+#include "usual_cells.hpp"
 
 namespace safety_control_cloud {
 
@@ -27,14 +28,19 @@ struct Framing {
 /// made of a cloud that is not organised. Reads single pixels; the bytes are borrowed.
 class Pixels {
  public:
-  /// A return lies farther than `range_min` [m]. `hits`, of a raster, are borrowed too.
-  Pixels(const View& view, float range_min, const RayHits* hits = nullptr);
+  /// A return lies farther than `range_min` [m]. `hits` and `usual`, of a raster, are borrowed too.
+  Pixels(const View& view, float range_min, const RayHits* hits = nullptr, const UsualCells* usual = nullptr);
 
   std::size_t width() const { return width_; }
   std::size_t height() const { return height_; }
   const Framing& framing() const { return framing_; }  ///< unless it is told: no margins, and ahead is in the middle
   void frame(const Framing& framing) { framing_ = framing; }
   const RayHits* hits() const { return hits_; }  ///< of a raster, which rays return; none: the pixels are the rays
+
+  /// Whether nothing ever returns at a place in the picture, whatever is there.
+  bool never_returns(std::size_t row, std::size_t column) const {
+    return usual_ && usual_->never_returns(row * width_ + column);
+  }
 
   /// In the cloud's frame; z is NaN where nothing returns.
   Point at(std::size_t row, std::size_t column) const { return read_(*this, row, column); }
@@ -67,6 +73,7 @@ class Pixels {
   float range_min_;
   Framing framing_;
   const RayHits* hits_;
+  const UsualCells* usual_;
 };
 
 /// In the corridor's axes.

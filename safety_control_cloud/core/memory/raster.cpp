@@ -49,19 +49,33 @@ void Raster::fit(const std::vector<Point>& returns) {
     extent_.left = std::min(extent_.left, x), extent_.right = std::max(extent_.right, x);
     extent_.top = std::min(extent_.top, y), extent_.bottom = std::max(extent_.bottom, y);
   }
-  if (extent_.left < grid.left) grid.left = extent_.left - margin;
-  if (extent_.right > grid.right) grid.right = extent_.right + margin;
-  if (extent_.top < grid.top) grid.top = extent_.top - margin;
-  if (extent_.bottom > grid.bottom) grid.bottom = extent_.bottom + margin;
+  const bool are_known = usual_.any_known();  // then grow by whole cells, so that those before stay
+  const auto reach = [&](float border, float extent, float away) {
+    if (away * (extent - border) <= 0.0f) return border;
+    const float beyond = extent + away * margin;
+    return are_known ? border + away * grid.cell * std::ceil(away * (beyond - border) / grid.cell) : beyond;
+  };
+  grid.left = reach(grid.left, extent_.left, -1.0f), grid.right = reach(grid.right, extent_.right, 1.0f);
+  grid.top = reach(grid.top, extent_.top, -1.0f), grid.bottom = reach(grid.bottom, extent_.bottom, 1.0f);
   const float widest = std::max(grid.right - grid.left, grid.bottom - grid.top);
   const float wanted = std::max(cell_in_spacings * spacing_of(returns, grid), widest / (most_cells - 1));
   const bool grown =
       grid.left != grid_.left || grid.top != grid_.top || grid.right != grid_.right || grid.bottom != grid_.bottom;
   const float ratio = wanted / grid_.cell;
-  if (!grown && ratio < same_spacing && ratio > 1.0f / same_spacing) return;
-  grid.cell = wanted;
-  grid.width = 1 + static_cast<std::size_t>((grid.right - grid.left) / wanted);
-  grid.height = 1 + static_cast<std::size_t>((grid.bottom - grid.top) / wanted);
+  const bool is_like_it = ratio < same_spacing && ratio > 1.0f / same_spacing;
+  if (!grown && is_like_it) return;
+  const bool same = are_known && is_like_it && widest <= grid.cell * (most_cells - 1);
+  if (!same) grid.cell = wanted;
+  const auto cells = [&](float from, float to) {
+    return static_cast<std::size_t>((to - from) / grid.cell + (same ? 0.5f : 0.0f));
+  };
+  grid.width = 1 + cells(grid.left, grid.right);
+  grid.height = 1 + cells(grid.top, grid.bottom);
+  if (same) {
+    usual_.grow({cells(grid.top, grid_.top), cells(grid.left, grid_.left), grid.height, grid.width});
+  } else {
+    usual_.forget();
+  }
   grid_ = grid;
 }
 
@@ -81,7 +95,7 @@ Framing Raster::framing() const {
   return framing;
 }
 
-View Raster::picture_of(const View& points, const Corridor& corridor) {
+View Raster::picture_of(const View& points, const Corridor& corridor, bool anything_near) {
   returns_.clear();
   for_each_point(points, [&](float x, float y, float z) {
     if (!is_return(x, y, z, corridor)) return;
@@ -100,6 +114,7 @@ View Raster::picture_of(const View& points, const Corridor& corridor) {
     filled_ += std::isnan(cell[2]);
     if (!(cell[2] <= point.z)) cell = {point.x, point.y, point.z};
   }
+  usual_.note(cells_, grid_.width, anything_near);
   CloudView view;
   view.bytes = reinterpret_cast<const std::uint8_t*>(cells_.data());
   view.width = grid_.width;

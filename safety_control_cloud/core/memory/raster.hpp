@@ -10,6 +10,7 @@
 #include "../look/corridor.hpp"
 #include "pixels.hpp"
 #include "ray_hits.hpp"
+#include "usual_cells.hpp"
 
 namespace safety_control_cloud {
 
@@ -19,11 +20,13 @@ namespace safety_control_cloud {
 class Raster {
  public:
   /// The picture of these points, as far as they are returns; valid until the next one.
-  View picture_of(const View& points, const Corridor& corridor);
+  /// `anything_near`: something near is remembered.
+  View picture_of(const View& points, const Corridor& corridor, bool anything_near);
 
   std::size_t filled() const { return filled_; }  ///< cells that hold a return
   const Grid& grid() const { return grid_; }
   const RayHits& hits() const { return hits_; }
+  const UsualCells& usual() const { return usual_; }
   Framing framing() const;
 
  private:
@@ -37,6 +40,7 @@ class Raster {
   Grid grid_;
   Extent extent_;
   RayHits hits_;
+  UsualCells usual_;
   std::size_t filled_ = 0;
   std::vector<Point> returns_;
   std::vector<std::array<float, 3>> cells_;

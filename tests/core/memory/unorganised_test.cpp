@@ -162,7 +162,7 @@ TEST(Unorganised, TheRasterKnowsWhereTheCameraLooksAndWhatOfItNeverReturns) {
       points.push_back({-0.4f + 0.02f * static_cast<float>(column), 0.02f * static_cast<float>(row), 1.0f});
   Raster raster;
   EXPECT_EQ(raster.framing().left, std::size_t{0});
-  raster.picture_of(view_of(points), Corridor{});
+  raster.picture_of(view_of(points), Corridor{}, true);
   const Grid& grid = raster.grid();
   const Framing framing = raster.framing();
   const auto border = [&](float x, float y) { return std::pair(grid.row({x, y, 1.0f}), grid.column({x, y, 1.0f})); };
@@ -199,7 +199,7 @@ TEST(Unorganised, WhatLeavesThePictureAndWhatIsTinyDoNotLieBetweenRays) {
     for (float y = -0.43f; y < 0.43f; y += spacing)
       for (float x = -0.5755f; x < 0.5755f; x += spacing) wall.push_back({2.2f * x, 2.2f * y, 2.2f});
     Raster raster;
-    Pixels picture(raster.picture_of(view_of(wall), Corridor{}), 0.0f, &raster.hits());
+    Pixels picture(raster.picture_of(view_of(wall), Corridor{}, true), 0.0f, &raster.hits());
     picture.frame(raster.framing());
     for (const std::size_t count : {2, 20}) {
       for (float at = -0.56f; at < 0.56f; at += 0.01f) {
