@@ -84,13 +84,12 @@ AtPlace SeenAt::operator()(const Point& place, double off, double aside) const {
 }
 
 /// What a return that lies there, in the sensor's frame, tells of what is remembered there: what is not kept anew must
-/// not be forgotten, and of what a part of the robot hides nobody knows.
+/// not be forgotten, and of what a part of the robot hides nobody knows. What returns a little above or below the
+/// heights that count belongs to what returns between them.
 AtPlace SeenAt::shown_at(const Point& place) const {
   const Point placed = look_.outlook.placed(place.x, place.y, place.z);
   const Point2 seen{placed.z, -placed.x};
-  const double height = -placed.y;
-  if (is_own(vicinity_.self, seen.x, seen.y, height)) return AtPlace::NotThere;
-  if (height < vicinity_.bottom || height > vicinity_.top) return AtPlace::NotThere;
+  if (is_own(vicinity_.self, seen.x, seen.y, -placed.y)) return AtPlace::NotThere;
   return length_of(seen) > vicinity_.distance ? AtPlace::ShownFar : AtPlace::Shown;
 }
 
