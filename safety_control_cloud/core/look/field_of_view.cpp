@@ -3,24 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <tuple>
 #include <utility>
-#include <vector>
 
-#include "ray_samples.hpp"
+#include "ray_lines.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
 constexpr std::size_t fewest_pixels = 8;  ///< on a side of a picture
 constexpr std::size_t fewest_rays = 12;   ///< to tell anything by
-constexpr std::size_t fewest_slopes = 6;  ///< the same
-constexpr double narrowest = 0.03;        ///< of a picture on either side: 1.7 degrees
 constexpr double tolerance = 0.08;        ///< of the picture's width or height by which a lens may bend a ray
 constexpr double blur = 0.02;             ///< by which noise may
 constexpr double beside = 0.25;           ///< of the width or height by which the optical axis may miss the picture
-constexpr std::size_t thinnest = 12;      ///< times as wide as high: of a strip's few rows nothing is known
 constexpr double most_misfits = 0.25;     ///< share of the rays: what was filtered, or set by hand
 
 const char* const not_optical =
@@ -36,55 +31,17 @@ struct Axis {
   std::size_t size;  ///< [px]
 };
 
-/// slant = at_zero + slope x pixel.
-struct Line {
-  double at_zero, slope;
-};
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// Between rays half of their line of pixels apart, so that noise hardly counts.
-template <class Lines>
-std::vector<double> slopes_in(const Lines& lines, const Axis& axis) {
-  std::vector<double> slopes;
-  slopes.reserve(RaySamples::rows * RaySamples::columns);
-  for (const auto& rays : lines) {
-    for (std::size_t i = 0, half = rays.size() / 2; half > 0 && i + half < rays.size(); ++i) {
-      const Ray &one = rays[i], &other = rays[i + half];
-      slopes.push_back((other.*axis.slant - one.*axis.slant) / (other.*axis.pixel - one.*axis.pixel));
-    }
-  }
-  return slopes;
-}
-
-/// By medians, which a quarter of odd rays does not move; none if there are too few.
-template <class Lines>
-std::optional<Line> line_along(const Lines& lines, const Axis& axis) {
-  std::vector<double> slopes = slopes_in(lines, axis), offsets;
-  if (axis.size < fewest_pixels || slopes.size() < fewest_slopes) return std::nullopt;
-  const double slope = median(slopes);
-  offsets.reserve(RaySamples::rows * RaySamples::columns);
-  for (const auto& rays : lines) {
-    for (const Ray& ray : rays) offsets.push_back(ray.*axis.slant - slope * ray.*axis.pixel);
-  }
-  return Line{median(offsets), slope};
-}
-
-bool is_wide(const Line& line, const Axis& axis, Sense sense) {
+bool is_wide(const RayLine& line, const Axis& axis, Sense sense) {
   const double width = line.slope * static_cast<double>(axis.size);
-  return width > narrowest || (sense == Sense::Either && width < -narrowest);
+  return width > narrowest_picture || (sense == Sense::Either && width < -narrowest_picture);
 }
 
-bool fits(const Ray& ray, const Line& line, const Axis& axis) {
-  const double off = std::abs(ray.*axis.slant - line.at_zero - line.slope * ray.*axis.pixel);
+bool fits(const Ray& ray, const RayLine& line, const Axis& axis) {
+  const double off = std::abs(ray.*axis.slant - line.slant(ray.*axis.pixel));
   return off <= blur + tolerance * std::abs(line.slope) * static_cast<double>(axis.size);
 }
 
-std::pair<double, double> ends_of(const Line& line, const Axis& axis) {
+std::pair<double, double> ends_of(const RayLine& line, const Axis& axis) {
   const double one = line.at_zero - 0.5 * line.slope;
   return std::minmax({one, one + line.slope * static_cast<double>(axis.size)});
 }
@@ -101,7 +58,7 @@ bool are_one(const RaySamples& samples) {
   return true;
 }
 
-bool holds_zero(const Line& line, const Axis& axis) {
+bool holds_zero(const RayLine& line, const Axis& axis) {
   const auto [low, high] = ends_of(line, axis);
   return low <= beside * (high - low) && high >= -beside * (high - low);
 }
@@ -123,8 +80,8 @@ std::variant<FieldOfView, NotOptical> field_of(const View& view, Sense sense) {
     return NotOptical{not_optical};
   if (are_one(samples)) return FieldOfView{};
 
-  const auto x = line_along(samples.in_row, across);
-  const auto y = down.size * thinnest < across.size ? std::nullopt : line_along(samples.in_column, down);
+  const RayLines lines = lines_along(samples, across.size, down.size);
+  const auto &x = lines.across, &y = lines.down;
   const bool narrow = (x && !is_wide(*x, across, sense)) || (y && !is_wide(*y, down, sense));
   if (narrow) return NotOptical{not_optical};
   std::size_t misfits = samples.behind;
