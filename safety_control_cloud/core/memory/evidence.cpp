@@ -9,8 +9,6 @@
 namespace safety_control_cloud {
 namespace {
 
-/// By so much a thing grows in the picture when a robot that brakes comes nearer than it can see.
-constexpr double growth = 0.25;
 /// Ranges that agree differ by at most this share.
 constexpr float agreement = 0.1f;
 /// With as many of the 3 x 3 pixels a spot's surroundings were seen, so that a hole in them means something.
@@ -39,6 +37,11 @@ struct Around {
     return some;
   }
 };
+
+bool is_in(const Pixels& picture, std::ptrdiff_t row, std::ptrdiff_t column) {
+  return row >= 0 && column >= 0 && row < static_cast<std::ptrdiff_t>(picture.height()) &&
+         column < static_cast<std::ptrdiff_t>(picture.width());
+}
 
 /// Whether a place lies so far within the picture's margins, in which nothing ever returns.
 bool is_within(const Pixels& picture, std::ptrdiff_t row, std::ptrdiff_t column, std::ptrdiff_t by) {
@@ -85,13 +88,14 @@ std::ptrdiff_t reach_of_hole(const Pixels& picture) {
 
 /// Whether there is a hole where the thing would have moved to.
 bool hole_on_the_way(const Spot& spot, const Pixels& picture, std::ptrdiff_t within) {
-  if (spot.company < dense) return false;
+  if (spot.company < dense || !spot.is_shown()) return false;
   const double down = spot.row - picture.framing().middle_row;
   const double right = spot.column - picture.framing().middle_column;
   const auto steps = static_cast<int>(std::ceil(growth * std::max(std::abs(down), std::abs(right))));
   for (int i = 0; i <= steps; ++i) {
     const double part = growth * i / std::max(1, steps);
     const auto row = std::lround(spot.row + part * down), column = std::lround(spot.column + part * right);
+    if (!is_in(picture, row, column)) return false;  // outward there is nothing more
     if (is_hole(picture, row, column, within)) return true;
   }
   return false;
@@ -145,6 +149,7 @@ bool leaves_at_the_top(const Spot& spot, const Pixels& picture) {
 }
 
 Evidence evidence_of(const Spot& spot, const Pixels& picture) {
+  if (!spot.is_shown()) return Evidence::Nothing;
   const float then = spot.point.z, noise = noise_at(then);
   Around around;
   int there = 0, before = 0;

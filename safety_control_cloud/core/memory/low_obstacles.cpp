@@ -2,6 +2,7 @@
 #include "low_obstacles.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -19,6 +20,9 @@ constexpr std::int16_t floor_tolerance = 15;
 /// A post of 2 cm at 0.7 m, where an Xtion loses the floor, takes 1/40 of its 60 degrees.
 constexpr std::size_t post_share_of_width = 40;
 
+/// Of the picture's height: two pictures that end so close together show the same floor.
+constexpr double border_share = 0.01;
+
 /// Deeper than any near ground [mm below the camera]: there is none.
 constexpr NearGround::Code none = std::numeric_limits<NearGround::Code>::max();
 
@@ -34,16 +38,74 @@ std::vector<std::int16_t> stretched(std::vector<std::int16_t> columns, std::size
   return all;
 }
 
+std::size_t columns_of(const Frame& frame) {
+  const std::size_t step = NearGround::column_step_of(frame.width);
+  return (frame.width + step - 1) / step;
+}
+
+/// Of a column, in pixels of the picture.
+double middle_of(std::size_t column, const Frame& frame) {
+  return static_cast<double>(column * NearGround::column_step_of(frame.width));
+}
+
+/// y/z at the picture's lower border; NaN if it is not known.
+double lowest_in(const Frame& frame) {
+  if (!frame.rays.down) return std::numeric_limits<double>::quiet_NaN();
+  return frame.rays.down->slant(static_cast<double>(frame.height) - 0.5);
+}
+
 }  // namespace
 
 std::optional<Loss> LowObstacles::judge(const NearGround& ground, const Pixels& picture, const Outlook& outlook) {
   survey(ground);
   if (std::exchange(is_corridor_new_, false)) drop_what_lies_beside(ground, picture, outlook);
   const auto any_post = [&](auto fulfils) { return any_adjacent(post_share_of_width, ground.columns(), fulfils); };
-  if (!any_post([this](std::size_t i) { return is_step(i); })) return std::nullopt;
-  const bool whole = any_post([this](std::size_t i) { return hides_floor(i); });
+  if (beside_.empty() && !any_post([this](std::size_t i) { return is_step(i); })) return std::nullopt;
+  const bool whole = !beside_.empty() || any_post([this](std::size_t i) { return hides_floor(i); });
   return Loss{Cause::LowObstacle, nearest(ground, picture, outlook), whole,
               "something lower than the corridor stands on the near floor"};
+}
+
+void LowObstacles::move_to(const Frame& frame) {
+  if (frame == frame_) return;
+  const std::vector<Beside> steps = all_steps();
+  const std::size_t columns = columns_of(frame);
+  floor_ = stretched(frame_.rays.across ? std::vector<Millimetres>{} : std::move(floor_), columns);
+  beside_.clear();
+  frame_ = frame;
+  for (const Beside& step : steps) {
+    if (!shows(step)) beside_.push_back(step);
+    for (std::size_t i = 0; i < columns && shows(step); ++i) {
+      const double x = frame.rays.across->slant(middle_of(i, frame));
+      if (x >= step.from && x < step.to) floor_[i] = std::max(floor_[i], step.floor);
+    }
+  }
+}
+
+/// Those in the picture, if they are as wide as a post and its rays are known, and those beside it.
+std::vector<LowObstacles::Beside> LowObstacles::all_steps() const {
+  std::vector<Beside> steps = beside_;
+  const auto& across = frame_.rays.across;
+  const bool any = any_adjacent(post_share_of_width, floor_.size(), [this](std::size_t i) { return is_step(i); });
+  if (!across || !any) return steps;
+  const double half = 0.5 * static_cast<double>(NearGround::column_step_of(frame_.width));
+  for (std::size_t i = 0; i < floor_.size(); ++i) {
+    if (!is_step(i)) continue;
+    const double middle = middle_of(i, frame_);
+    const auto [from, to] = std::minmax({across->slant(middle - half), across->slant(middle + half)});
+    steps.push_back({from, to, lowest_in(frame_), floor_[i]});
+  }
+  return steps;
+}
+
+bool LowObstacles::shows(const Beside& step) const {
+  const auto& [across, down] = frame_.rays;
+  if (!across) return false;
+  const double column = across->pixel(0.5 * (step.from + step.to));
+  if (column < -0.5 || column > static_cast<double>(frame_.width) - 0.5) return false;
+  if (std::isnan(step.lowest)) return true;
+  const double border = down ? border_share * std::abs(down->slope) * static_cast<double>(frame_.height) : 0.0;
+  return lowest_in(frame_) >= step.lowest - border;
 }
 
 void LowObstacles::survey(const NearGround& ground) {

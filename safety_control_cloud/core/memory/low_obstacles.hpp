@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "frame.hpp"
 #include "loss.hpp"
 #include "near_ground.hpp"
 
@@ -18,11 +19,16 @@ namespace safety_control_cloud {
 /// In a pixel column it is a step: from the lowest pixel up, the near ground rises at once. Both are seen in one cloud,
 /// so that neither a slope nor a bump of the robot looks like one. Where something near is seen in the corridor too,
 /// the step is the foot of that, and its distance decides.
+///
+/// What another picture does not show any more, because it ends higher or farther inward, stays.
 class LowObstacles {
  public:
   /// The nearest in the latest cloud, if one is at least as wide as a thin post. It is lost as a whole, or about to be,
   /// if it is so near that the floor before it is not seen any more.
   std::optional<Loss> judge(const NearGround& ground, const Pixels& picture, const Outlook& outlook);
+
+  /// The next picture lies in this frame.
+  void move_to(const Frame& frame);
 
   /// The corridor is another one. What is kept stays, but where the next cloud shows that it lies beside it.
   void change_corridor() { is_corridor_new_ = true; }
@@ -34,6 +40,15 @@ class LowObstacles {
  private:
   using Millimetres = NearGround::Code;
 
+  /// A column with a step, that the picture does not show.
+  struct Beside {
+    double from, to;    ///< x/z of its sides
+    double lowest;      ///< y/z at the lower border of the picture that showed it
+    Millimetres floor;  ///< before it
+  };
+
+  std::vector<Beside> all_steps() const;
+  bool shows(const Beside& step) const;
   void survey(const NearGround& ground);
   void look_at_row(const Millimetres* codes);
   bool is_step(std::size_t column) const { return floor_[column] > 0; }
@@ -42,6 +57,8 @@ class LowObstacles {
   /// Of what the columns that show a step have lowest on it; none if all of it has gone out of the picture.
   std::optional<Obstacle> nearest(const NearGround& ground, const Pixels& picture, const Outlook& outlook) const;
 
+  Frame frame_;
+  std::vector<Beside> beside_;
   // Of each column, below the camera.
   std::vector<Millimetres> floor_;   ///< before the step; 0 if there is no step
   std::vector<Millimetres> lowest_;  ///< the near ground that the lowest pixel of it shows now

@@ -56,7 +56,7 @@ void NearGround::look_at(const Pixels& picture, const Outlook& outlook, float di
   height_ = picture.height();
   distance_ = distance;
   row_step_ = std::max<std::size_t>(1, height_ / most_rows);
-  column_step_ = std::max<std::size_t>(1, picture.width() / most_columns);
+  column_step_ = column_step_of(picture.width());
   columns_ = (picture.width() + column_step_ - 1) / column_step_;
   middle_column_ = picture.framing().middle_column / static_cast<double>(column_step_);
   near_.assign(columns_, false);

@@ -25,6 +25,9 @@ class NearGround {
   /// So many rows, and columns, of a picture that has more.
   static constexpr std::size_t most_rows = 120, most_columns = 160;
 
+  /// From one column that is read of a picture as wide as this to the next.
+  static std::size_t column_step_of(std::size_t width) { return std::max<std::size_t>(1, width / most_columns); }
+
   /// Nearer than `distance` [m] ahead of the camera is near.
   void look_at(const Pixels& picture, const Outlook& outlook, float distance);
 

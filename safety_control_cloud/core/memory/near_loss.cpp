@@ -103,8 +103,11 @@ std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const 
 
 std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sight, const Outlook& outlook) {
   Pixels picture(view, outlook.corridor.range_min);
+  const Frame frame{picture.width(), picture.height(), optics_.look_at(view, picture)};
+  move_to(frame);
+  low_.move_to(frame);
+  picture.look_along(frame.rays);
   picture.frame(margins_.note(picture));
-  move_to({std::nullopt, picture.width(), picture.height()});
   ground_.look_at(picture, outlook, near_distance());
   remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels}, 1);
   const auto low = low_.judge(ground_, picture, outlook);
@@ -132,7 +135,7 @@ std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight,
   const bool sparse = 10 * raster_.filled() > 7 * sight.returns;
   Pixels picture(raster, outlook.corridor.range_min, sparse ? nullptr : &raster_.hits(), &raster_.usual());
   picture.frame(raster_.framing());
-  move_to({raster_.grid(), picture.width(), picture.height()});
+  move_to({picture.width(), picture.height(), raster_.rays()});
   ground_.look_at(picture, outlook, near_distance());
   const std::size_t least = std::min(least_pixels, 1 + raster_.filled() / pixels_of_few);
   const Sight in_raster = look(raster, outlook, Crop::Skip, Rows::Apart);
@@ -171,7 +174,8 @@ bool NearLoss::restore(const std::string& text) {
   auto kept = kept_in(text);
   if (!kept) return false;
   forget();
-  frame_.width = kept->width, frame_.height = kept->height;
+  frame_ = {kept->width, kept->height, {}};
+  low_.move_to(frame_);
   things_.restore(std::move(kept->things), kept->blind_range);
   low_.restore(std::move(kept->low));
   text_ = text;
@@ -181,21 +185,11 @@ bool NearLoss::restore(const std::string& text) {
 /// The spots of what is remembered in another picture, from a camera that looks the same way.
 void NearLoss::move_to(const Frame& frame) {
   if (frame == frame_) return;
-  const auto moved = [](std::ptrdiff_t at, std::size_t size) {
-    return static_cast<std::uint16_t>(std::clamp<std::ptrdiff_t>(at, 0, static_cast<std::ptrdiff_t>(size) - 1));
-  };
-  const auto scaled = [](std::size_t at, std::size_t from, std::size_t to) {
-    return static_cast<std::ptrdiff_t>((2 * at + 1) * to / (2 * std::max<std::size_t>(1, from)));
-  };
-  things_.for_each_spot([&](Spot& spot) {
-    const auto& grid = frame.grid;
-    const std::ptrdiff_t row = grid ? grid->row(spot.point) : scaled(spot.row, frame_.height, frame.height);
-    const std::ptrdiff_t column = grid ? grid->column(spot.point) : scaled(spot.column, frame_.width, frame.width);
-    spot.row = moved(row, frame.height);
-    spot.column = moved(column, frame.width);
-  });
+  things_.for_each_spot([&](Spot& spot) { place(spot, frame_, frame); });
+  things_.scale_sizes(share_of_angle(frame_, frame));
   frame_ = frame;
   floor_ = FloorStrip{};
+  margins_ = Margins{};
 }
 
 /// The axes that places are told in may be other ones.

@@ -7,10 +7,12 @@
 #include "../input/runs.hpp"
 #include "../look/sight.hpp"
 #include "floor_strip.hpp"
+#include "frame.hpp"
 #include "loss.hpp"
 #include "low_obstacles.hpp"
 #include "margins.hpp"
 #include "near_things.hpp"
+#include "optics.hpp"
 #include "raster.hpp"
 #include "settings.hpp"
 #include "things_memory.hpp"
@@ -56,16 +58,6 @@ class NearLoss {
   std::optional<Loss> judge(const View& view, const Sight& sight, const Outlook& outlook, double now);
 
  private:
-  /// Where the spots of a picture lie.
-  struct Frame {
-    std::optional<Grid> grid;  ///< of a cloud that is not organised
-    std::size_t width = 0, height = 0;
-
-    bool operator==(const Frame& other) const {
-      return grid == other.grid && width == other.width && height == other.height;
-    }
-  };
-
   std::optional<Loss> judge_organised(const View& view, const Sight& sight, const Outlook& outlook);
   std::optional<Loss> judge_points(const View& view, const Sight& sight, const Outlook& outlook);
   void remember(const NearSearch& search, std::uint8_t clouds_of_floor);
@@ -80,7 +72,8 @@ class NearLoss {
   float watched_distance() const;
 
   NearLossLimits limits_;
-  Frame frame_;
+  Frame frame_;  ///< in which the spots lie
+  Optics optics_;
   NearGround ground_;
   FloorStrip floor_;
   LowObstacles low_;

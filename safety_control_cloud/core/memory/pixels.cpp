@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pixels.hpp"
 
+#include <algorithm>
+
 namespace safety_control_cloud {
 namespace {
 
@@ -40,6 +42,12 @@ Pixels::Pixels(const View& view, float range_min, const RayHits* hits, const Usu
     read_ = &read<OneReader>;
     around_ = &read_around<OneReader>;
   });
+}
+
+void Pixels::look_along(const RayLines& rays) {
+  constexpr double farthest = 1e6;  // beside the picture: from there all ways in it are parallel
+  if (rays.down) framing_.middle_row = std::clamp(rays.down->pixel(0.0), -farthest, farthest);
+  if (rays.across) framing_.middle_column = std::clamp(rays.across->pixel(0.0), -farthest, farthest);
 }
 
 void Pixels::read(std::size_t row, std::size_t step, const Outlook& outlook, PixelRow& into) const {

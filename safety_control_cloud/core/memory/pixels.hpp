@@ -8,6 +8,7 @@
 
 #include "../input/point_reader.hpp"
 #include "../look/outlook.hpp"
+#include "../look/ray_lines.hpp"
 #include "ray_hits.hpp"
 #include "usual_cells.hpp"
 
@@ -35,6 +36,7 @@ class Pixels {
   std::size_t height() const { return height_; }
   const Framing& framing() const { return framing_; }  ///< unless it is told: no margins, and ahead is in the middle
   void frame(const Framing& framing) { framing_ = framing; }
+  void look_along(const RayLines& rays);  ///< which tell where ahead is, if they are known: maybe beside the picture
   const RayHits* hits() const { return hits_; }  ///< of a raster, which rays return; none: the pixels are the rays
 
   /// Whether nothing ever returns at a place in the picture, whatever is there.

@@ -79,6 +79,11 @@ void Raster::fit(const std::vector<Point>& returns) {
   grid_ = grid;
 }
 
+RayLines Raster::rays() const {
+  const double cell = double{grid_.cell};
+  return {RayLine{double{grid_.left} + 0.5 * cell, cell}, RayLine{double{grid_.top} + 0.5 * cell, cell}};
+}
+
 /// Its margins are what the grid has beyond all returns.
 Framing Raster::framing() const {
   Framing framing;

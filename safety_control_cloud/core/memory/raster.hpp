@@ -27,6 +27,7 @@ class Raster {
   const Grid& grid() const { return grid_; }
   const RayHits& hits() const { return hits_; }
   const UsualCells& usual() const { return usual_; }
+  RayLines rays() const;  ///< which way its cells look
   Framing framing() const;
 
  private:

@@ -15,10 +15,6 @@ struct Grid {
   float cell = 0.01f;                                            ///< slope
   std::size_t width = 60, height = 60;
 
-  bool operator==(const Grid& other) const {
-    return cell == other.cell && left == other.left && top == other.top && width == other.width &&
-           height == other.height;
-  }
   std::ptrdiff_t column(const Point& point) const;
   std::ptrdiff_t row(const Point& point) const;
 };

@@ -11,10 +11,14 @@
 
 namespace safety_control_cloud {
 
+/// By so much a thing grows in the picture when a robot that brakes comes nearer than it can see.
+constexpr double growth = 0.25;
+
 /// A pixel in which a thing was seen, and what the picture is asked about there.
 struct Spot {
   std::uint16_t row = 0, column = 0;
-  Point point;                   ///< in the cloud's frame [m]
+  bool row_shown = true, column_shown = true;  ///< by the picture as it is now; if not, it says nothing there
+  Point point;                                 ///< in the cloud's frame [m]
   std::optional<Point> place{};  ///< in the corridor's axes, as the camera looked then [m]; none: as it looks now
   float share = 0.0f;            ///< of the thing's size that it stands for [m2]
   std::uint8_t company = 0;      ///< how many of the 3 x 3 pixels around it returned then
@@ -23,6 +27,8 @@ struct Spot {
   bool stands = false;           ///< what is seen in this column reached down to the near floor
   bool foot_unseen = false;      ///< nothing returned in this column below what is seen
   std::optional<Axis> axis{};    ///< of the camera then; none: of the first that asks
+
+  bool is_shown() const { return row_shown && column_shown; }
 };
 
 /// The lowest pixel of a thing in a column of the picture.

@@ -26,11 +26,11 @@ constexpr double fair_share = 500;
 /// picture to the next (0.3 degrees) for it to rest.
 constexpr float same_axis = 0.99985f, rests = 0.999986f;
 
-/// [m2] of them where the picture says nothing.
+/// [m2] of them where the picture says nothing, though it shows the place.
 double blank_in(const std::vector<Spot>& spots, const Pixels& picture) {
   double blank = 0.0;
   for (const Spot& spot : spots) {
-    if (evidence_of(spot, picture) == Evidence::Nothing) blank += double{spot.share};
+    if (spot.is_shown() && evidence_of(spot, picture) == Evidence::Nothing) blank += double{spot.share};
   }
   return blank;
 }
@@ -56,6 +56,12 @@ double size_of(const std::vector<Spot>& spots) {
 void ThingsMemory::restore(std::vector<Remembered> things, float blind_range) {
   things_ = std::move(things);
   blind_range_ = blind_range;
+}
+
+void ThingsMemory::scale_sizes(double by) {
+  for (Remembered& thing : things_)
+    for (double* size : {&thing.size, &thing.freed, &thing.seen.size}) *size *= by;
+  for_each_spot([by](Spot& spot) { spot.share = static_cast<float>(by * double{spot.share}); });
 }
 
 void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor, float near,
@@ -168,7 +174,7 @@ void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor
       return false;
     }
     if (spot.lost_for < floor.after) ++spot.lost_for;
-    const bool may_stand = spot.stands && spot.lost_for >= floor.after;
+    const bool may_stand = spot.stands && spot.column_shown && spot.lost_for >= floor.after;
     spot.seen_past = evidence == Evidence::Past ? static_cast<std::uint8_t>(spot.seen_past + 1) : std::uint8_t{0};
     // Seen again, it is a thing that is seen; what comes nearer while a part of it is seen is that thing itself.
     const bool again =

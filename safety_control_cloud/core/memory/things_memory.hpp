@@ -37,6 +37,7 @@ double size_of(const std::vector<Spot>& spots);  ///< [m2]
 /// - Of a cloud that is not organised the picture is a raster, in which what is thin leaves no hole: it is not seen
 /// past
 ///   while nothing may return on the rays that it would take.
+/// - What the picture does not show, since it is another one than that in which the thing was seen, stays lost.
 /// - What leaves the picture at its upper border, within the corridor, is not seen to go by what is seen below it.
 /// - What is near is kept. What is farther away is only watched: if a thing of fair extent, which nothing hides and
 ///   which is not at the border, returns nothing any more from one cloud to the next, it was not seen to go away. The
@@ -64,6 +65,8 @@ class ThingsMemory {
       for (Spot& spot : thing.lost) visit(spot);
     }
   }
+  /// Sizes are told but for the picture's angle; that of the next one is another.
+  void scale_sizes(double by);
   bool empty() const { return things_.empty(); }
   /// At which things vanished [m]; 0 if none did.
   float blind_range() const { return blind_range_; }

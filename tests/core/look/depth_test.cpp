@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <random>
+
+#include "../../../safety_control_cloud/core/input/point_reader.hpp"
 #include "../../../safety_control_cloud/core/look/kernel/scan.hpp"
 #include "../../../safety_control_cloud/core/look/passthrough.hpp"
 #include "../../../safety_control_cloud/core/safety_control.hpp"
@@ -44,7 +48,8 @@ TEST_P(DepthImage, AskingForTheCropDoesNotChangeWhatIsSeen) {
 /// 64 x 48 pixels, 60 degrees wide.
 struct Camera {
   std::vector<float> pixels;
-  std::vector<Xyz> points;
+  std::vector<Xyz> points{};
+  double across = 31.5, down = 23.5;  ///< [px] where the optical axis meets it
 
   explicit Camera(float depth) : pixels(64 * 48, depth) {}
 
@@ -52,8 +57,17 @@ struct Camera {
     DepthView view;
     view.bytes = reinterpret_cast<const std::uint8_t*>(pixels.data());
     view.width = 64, view.height = 48, view.row_step = 64 * sizeof(float);
-    view.camera = {55.4, 55.4, 31.5, 23.5};
+    view.camera = {55.4, 55.4, across, down};
     return view;
+  }
+
+  /// The same as a cloud; valid until the next one.
+  CloudView cloud() {
+    points.clear();
+    for_each_point(view(), [this](float x, float y, float z) { points.push_back({x, y, z}); });
+    CloudView cloud = view_of(points);
+    cloud.width = 64, cloud.height = 48, cloud.row_step = 64 * sizeof(Xyz);
+    return cloud;
   }
 };
 
@@ -115,8 +129,7 @@ TEST_P(DepthImage, MinusInfinityIsTooCloseAndAllElseIsAsEver) {
     const Sight expected = seen_by(passthrough, cloud, image);
     for (const auto method : {look, passthrough}) {
       const Sight seen = seen_by(method, image.view, image);
-      ASSERT_TRUE(same(seen, expected))
-          << "seed " << seed << ": " << words(seen) << "; PCL: " << words(expected);
+      ASSERT_TRUE(same(seen, expected)) << "seed " << seed << ": " << words(seen) << "; PCL: " << words(expected);
     }
   }
   EXPECT_GT(met, 1000u);
@@ -151,24 +164,62 @@ TEST(DepthImages, SameImageAgainAndAgainIsFrozen) {
   EXPECT_EQ(decide(control, camera, 1.15).cause, Cause::Seen);
 }
 
-/// Whatever came before, also where one row is no picture and the memory is the nearest point alone.
+void expect_same(const Decision& seen, const Decision& expected, std::uint64_t seed) {
+  ASSERT_EQ(name_of(seen.cause), name_of(expected.cause)) << "seed " << seed;
+  ASSERT_EQ(seen.zone, expected.zone) << "seed " << seed;
+  ASSERT_EQ(seen.reason, expected.reason) << "seed " << seed;
+  ASSERT_TRUE(same(seen.sight, expected.sight)) << "seed " << seed;
+}
+
+/// Of a few rows, or of another camera in each cloud, the image alone tells which way it looks, and so the memory of
+/// pictures is left out.
 TEST(DepthImages, SequenceIsDecidedAsItsCloudsAre) {
   Settings settings;
   settings.min_valid_ratio = 0.0;
   settings.depth_minus_inf = MinusInf::Nothing;
+  Settings forgetful = settings;
+  forgetful.near_loss.distance = 0.0;
   for (std::uint64_t start = 0; start < images; start += 20) {
-    SafetyControl by_depth(settings), by_cloud(settings);
+    SafetyControl by_depth(settings), by_cloud(settings), depth_alone(forgetful), cloud_alone(forgetful);
     for (std::uint64_t seed = start; seed < start + 20; ++seed) {
       const RandomDepth image(seed);
-      const double now = 0.05 * static_cast<double>(seed);
-      const Decision seen = by_depth.decide(image.view, Origin{now}, Instant{now, now});
-      const Decision expected = by_cloud.decide(image.cloud(), Origin{now}, Instant{now, now});
-      ASSERT_EQ(name_of(seen.cause), name_of(expected.cause)) << "seed " << seed;
-      ASSERT_EQ(seen.zone, expected.zone) << "seed " << seed;
-      ASSERT_EQ(seen.reason, expected.reason) << "seed " << seed;
-      ASSERT_TRUE(same(seen.sight, expected.sight)) << "seed " << seed;
+      const Origin origin{0.05 * static_cast<double>(seed)};
+      const Instant now{origin.stamp, origin.stamp};
+      expect_same(depth_alone.decide(image.view, origin, now), cloud_alone.decide(image.cloud(), origin, now), seed);
+      if (image.view.width >= 2 && image.view.height >= 2) continue;
+      expect_same(by_depth.decide(image.view, origin, now), by_cloud.decide(image.cloud(), origin, now), seed);
+      if (HasFatalFailure()) return;
     }
   }
+}
+
+/// Things near and far, and holes, come and go.
+TEST(DepthImages, WhatIsRememberedIsWhatIsRememberedOfItsClouds) {
+  int lost = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
+    const auto up_to = [&](std::size_t size) { return random() % size; };
+    SafetyControl by_depth{Settings{}}, by_cloud{Settings{}};
+    // Between pixels, since half of one is rounded as it comes.
+    const double across = 10.3 + static_cast<double>(up_to(44)), down = 10.3 + static_cast<double>(up_to(28));
+    for (int i = 0; i < 20; ++i) {
+      Camera camera(2.0f);
+      camera.across = across, camera.down = down;
+      for (int things = 0; things < 3; ++things) {
+        const float depth = std::array{0.45f, 0.6f, nan, nan, 1.2f}[up_to(5)];
+        const std::size_t left = up_to(52), top = up_to(36), columns = 2 + up_to(10), rows = 2 + up_to(10);
+        for (std::size_t row = top; row < top + rows; ++row)
+          std::fill_n(camera.pixels.begin() + static_cast<std::ptrdiff_t>(row * 64 + left), columns, depth);
+      }
+      const Origin origin{1.0 + 0.05 * i};
+      const Instant now{origin.stamp, origin.stamp};
+      const Decision seen = by_depth.decide(camera.view(), origin, now);
+      expect_same(seen, by_cloud.decide(camera.cloud(), origin, now), seed);
+      if (HasFatalFailure()) return;
+      lost += seen.cause == Cause::NearLoss;
+    }
+  }
+  EXPECT_GT(lost, 100);
 }
 
 }  // namespace
