@@ -48,6 +48,12 @@ class Scene {
     }
   }
 
+  void blank_farther_than(float z) {
+    for (Xyz& point : points_) {
+      if (point.z > z) point = {nan, nan, nan};
+    }
+  }
+
   /// Pixels that return nothing return anything from `nearest` [m] to 5 m instead, so large a share of them.
   template <class Random>
   Scene& stray(double share, Random& random, float nearest = 0.4f) {

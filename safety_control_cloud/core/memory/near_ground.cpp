@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "evidence.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -82,42 +85,51 @@ void NearGround::look_at(const Pixels& picture, const Outlook& outlook, float di
 
 /// How a thing with its foot here stands on the floor. One that ends with the picture does, though it be so thin that
 /// the column which is read shows the floor beside it.
-NearGround::Stand NearGround::stand_of(const Foot& foot) const {
+NearGround::Stand NearGround::stand_of(const Foot& foot, const Pixels& picture, const Outlook& outlook) const {
   const std::size_t lowest_row = foot.row + 2 * row_step_ + height_ / blank_share;
   if (lowest_row >= height_) return Stand::Stands;
   const std::size_t column = column_at(foot.column), most = std::max<std::size_t>(1, height_ / row_step_ / blank_share);
+  const auto is_farther = [&](std::size_t i) {
+    const Point below = placed(picture.at(picture_row(i), picture_column(column)), outlook);
+    return !(below.z - outlook.camera().z <= foot.ahead + noise_at(foot.ahead));
+  };
   std::size_t blank = 0;
   bool gap = false;
+  std::optional<std::size_t> ground;  // the farthest
   for (std::size_t i = 0; i < rows_; ++i) {
     const Code code = row(i)[column];
-    if (code == elsewhere) return Stand::Hangs;
+    if (code == elsewhere) return is_farther(i) ? Stand::Hangs : Stand::Unseen;
     if (code == near) {
       // Lower than its foot, what reaches the floor is another thing.
       if (picture_row(i) > lowest_row) return Stand::Hangs;
-      return gap ? Stand::Unseen : Stand::Stands;
+      if (!gap) return Stand::Stands;
+      break;
     }
+    if (code >= 0) ground = i;
     blank = code == nothing ? blank + 1 : 0;
     gap = gap || blank > most;
   }
-  return gap ? Stand::Unseen : Stand::Hangs;
+  return gap && !(ground && is_farther(*ground)) ? Stand::Unseen : Stand::Hangs;
 }
 
-void NearGround::place(std::vector<Thing>& things) {
+void NearGround::place(std::vector<Thing>& things, const Pixels& picture, const Outlook& outlook) {
   for (Thing& thing : things) {
     std::vector<char> stands(columns_, false), unseen(columns_, false);
     const std::size_t edge = std::max<std::size_t>(1, columns_ / edge_share);
-    std::size_t standing = 0;
+    std::size_t standing = 0, hanging = 0;
     for (const Foot& foot : thing.feet) {
       const std::size_t column = column_at(foot.column);
       if (foot.ahead < distance_) near_[column] = true;
-      const Stand stand = stand_of(foot);
+      const Stand stand = stand_of(foot, picture, outlook);
       standing += stand == Stand::Stands;
+      hanging += stand == Stand::Hangs;
       for (std::size_t i = column - std::min(edge, column); i <= std::min(column + edge, columns_ - 1); ++i) {
         stands[i] = stands[i] || stand == Stand::Stands;
         unseen[i] = unseen[i] || stand == Stand::Unseen;
       }
     }
     thing.stands = 2 * standing >= thing.feet.size();
+    thing.hangs = 2 * hanging > thing.feet.size();
     for (Spot& spot : thing.spots) {
       const std::size_t column = column_at(spot.column);
       spot.stands = stands[column];

@@ -45,17 +45,20 @@ class NearGround {
   double middle_column() const { return middle_column_; }  ///< that looks straight ahead
   /// Whether something near, in the corridor, is seen in a column, anywhere in the picture.
   bool is_near(std::size_t column) const { return near_[column]; }
-  /// Tells it of the things that are seen, of which only those in the same `distance` count; of each spot of theirs,
-  /// whether what it shows stands on the near floor: the thing reaches down to it in this column without a gap.
-  void place(std::vector<Thing>& things);
+  /// Tells it of the things that are seen in the same picture, of which only those in the same `distance` count; of
+  /// each spot of theirs, whether what it shows stands on the near floor: the thing reaches down to it in this column
+  /// without a gap.
+  void place(std::vector<Thing>& things, const Pixels& picture, const Outlook& outlook);
 
  private:
-  enum class Stand { Hangs, Stands, Unseen };  ///< on the near floor; unseen where nothing returns below it
+  /// On the near floor; unseen where nothing returns below it, or what is seen there is no farther away: its foot may
+  /// stand beside the corridor.
+  enum class Stand { Hangs, Stands, Unseen };
 
   enum class Columns { All, Probes };
 
   bool read_row(const Pixels& picture, const Outlook& outlook, float distance, std::size_t number, Columns which);
-  Stand stand_of(const Foot& foot) const;
+  Stand stand_of(const Foot& foot, const Pixels& picture, const Outlook& outlook) const;
 
   // Of one row, as far as it is read.
   PixelRow read_;

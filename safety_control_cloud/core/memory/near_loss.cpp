@@ -145,7 +145,7 @@ std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight,
 
 void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor) {
   auto things = near_things(search);
-  ground_.place(things);
+  ground_.place(things, search.picture, search.outlook);
   floor_.survey(ground_);
   const auto is_seen_again = [&](std::size_t column) {
     const std::size_t i = ground_.column_at(column);

@@ -139,9 +139,10 @@ void ThingsMemory::follow(std::vector<Thing> seen) {
     thing.size = std::max(thing.size, now.size);
     thing.at_border = now.at_border;
     thing.is_slight = now.is_slight;
-    thing.stood = thing.stood || now.stands;
-    // What is left of it at a border may show no foot: a post that slides out of the corridor still stands.
-    for (Spot& spot : now.spots) spot.stands = spot.stands || (thing.stood && (spot.foot_unseen || now.at_border));
+    thing.stood = now.stands || (thing.stood && !now.hangs);
+    // What is left of it at a border may show no foot: a post that slides out of the corridor still stands. But what is
+    // seen below it says that it does not.
+    for (Spot& spot : now.spots) spot.stands = spot.stands || (thing.stood && spot.foot_unseen);
     thing.seen = std::move(now);
     thing.freed = 0.0;
     thing.vanished = false;

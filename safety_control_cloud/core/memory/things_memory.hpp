@@ -16,7 +16,7 @@ struct Remembered {
   double size = 0.0;       ///< [m2] at most
   double freed = 0.0;      ///< [m2] of the lost, since it was last seen, that is seen past by now
   unsigned clouds = 0;     ///< that have shown it
-  bool stood = false;      ///< on the near floor, at some time
+  bool stood = false;      ///< on the near floor, until it was seen to hang
   bool at_border = false;  ///< when it was seen last
   bool vanished = false;   ///< in mid-air: see ThingsMemory
   bool is_slight = false;  ///< of few pixels, which in a single cloud may be false
