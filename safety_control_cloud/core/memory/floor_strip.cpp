@@ -33,11 +33,12 @@ NearGround::Code least_floor(NearGround::Code lowest) { return static_cast<NearG
 
 }  // namespace
 
-void FloorStrip::survey(const NearGround& ground) {
+void FloorStrip::survey(const NearGround& ground, const Patience& patience) {
   lowest_.resize(std::max(lowest_.size(), ground.rows()), 0);
   for (auto* counts : {&shown_, &foot_, &blank_}) counts->assign(ground.columns(), 0);
   if (expected_.size() != ground.columns()) {
     expected_.assign(ground.columns(), 0);
+    blank_since_.assign(ground.columns(), patience.now);
     blank_lately_.assign(ground.columns(), 0);
     std::fill(lowest_.begin(), lowest_.end(), Code{0});
   }
@@ -55,7 +56,7 @@ void FloorStrip::survey(const NearGround& ground) {
     count_row(ground, row);
     rows_.push_back(ground.picture_row(row));
   }
-  expect(ground.columns());
+  expect(patience);
   note_blank();
 }
 
@@ -107,8 +108,13 @@ bool FloorStrip::is_border(std::size_t column, std::size_t size) const {
 
 /// A gap between floor and floor hides something, even if it was there from the start. So does a border wider than any
 /// camera's, and one in which the floor has been seen.
-void FloorStrip::expect(std::size_t columns) {
+void FloorStrip::expect(const Patience& patience) {
+  const std::size_t columns = expected_.size();
   std::size_t left = 0, right = 0;
+  for (std::size_t i = 0; i < columns; ++i) {
+    if (rows_.empty() || 2 * blank_[i] < rows_.size()) blank_since_[i] = patience.now;
+    if (patience.ends(blank_since_[i])) expected_[i] = 0;
+  }
   while (left < columns && !shows_floor(left)) ++left;
   while (right < columns - left && !shows_floor(columns - 1 - right)) ++right;
   first_ = 0, last_ = columns;

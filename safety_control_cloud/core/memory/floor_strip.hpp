@@ -6,6 +6,7 @@
 
 #include "loss.hpp"
 #include "near_ground.hpp"
+#include "patience.hpp"
 
 namespace safety_control_cloud {
 
@@ -25,8 +26,9 @@ class FloorStrip {
   /// For so many clouds a column that was mostly blank may count as that: strays fill it now and then.
   static constexpr std::uint8_t lately = 8;
 
-  /// Finds the floor again in the latest picture.
-  void survey(const NearGround& ground);
+  /// Finds the floor again in the latest picture. That it was ever seen in a column is forgotten once that has
+  /// been blank for too long: what the picture shows by itself, a gap between floor and floor, is not.
+  void survey(const NearGround& ground, const Patience& patience = {});
 
   const std::vector<std::size_t>& rows() const { return rows_; }  ///< of the picture, in which it lies
   Column column(std::size_t i) const { return {shown_[i], i < first_ || i >= last_ ? foot_[i] : foot_[i] + blank_[i]}; }
@@ -47,7 +49,7 @@ class FloorStrip {
 
   Code learned(const NearGround& ground, std::size_t row);
   void count_row(const NearGround& ground, std::size_t row);
-  void expect(std::size_t columns);
+  void expect(const Patience& patience);
   void note_blank();
   bool is_border(std::size_t column, std::size_t size) const;
   bool shows_floor(std::size_t i) const;
@@ -63,6 +65,7 @@ class FloorStrip {
   std::vector<Count> blank_;                ///< return nothing
   std::vector<std::uint8_t> blank_lately_;  ///< it was blank; in so many more clouds it counts as that
   std::vector<std::uint8_t> expected_;      ///< so many clouds have shown the floor, at most `certain`
+  std::vector<double> blank_since_;         ///< [s] steady; now, if it is not
 };
 
 }  // namespace safety_control_cloud

@@ -56,8 +56,10 @@ double lowest_in(const Frame& frame) {
 
 }  // namespace
 
-std::optional<Loss> LowObstacles::judge(const NearGround& ground, const Pixels& picture, const Outlook& outlook) {
+std::optional<Loss> LowObstacles::judge(const NearGround& ground, const Pixels& picture, const Outlook& outlook,
+                                        const Patience& patience) {
   survey(ground);
+  forget_old(patience);
   if (std::exchange(is_corridor_new_, false)) drop_what_lies_beside(ground, picture, outlook);
   const auto any_post = [&](auto fulfils) { return any_adjacent(post_share_of_width, ground.columns(), fulfils); };
   if (beside_.empty() && !any_post([this](std::size_t i) { return is_step(i); })) return std::nullopt;
@@ -119,6 +121,14 @@ void LowObstacles::survey(const NearGround& ground) {
     const bool step = above_[i] >= 2 && !ground.is_near(i);  // one pixel alone may be noise
     if (step) floor_[i] = std::max(floor_[i], lowest_[i]);   // nearer, the lowest pixel shows more and more of the step
     if (!step && !hides_floor(i)) floor_[i] = 0;
+  }
+}
+
+void LowObstacles::forget_old(const Patience& patience) {
+  if (hidden_since_.size() != floor_.size()) hidden_since_.assign(floor_.size(), patience.now);
+  for (std::size_t i = 0; i < floor_.size(); ++i) {
+    if (!hides_floor(i)) hidden_since_[i] = patience.now;
+    if (patience.ends(hidden_since_[i])) floor_[i] = 0;
   }
 }
 

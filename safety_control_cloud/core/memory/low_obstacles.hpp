@@ -10,6 +10,7 @@
 #include "frame.hpp"
 #include "loss.hpp"
 #include "near_ground.hpp"
+#include "patience.hpp"
 
 namespace safety_control_cloud {
 
@@ -24,8 +25,9 @@ namespace safety_control_cloud {
 class LowObstacles {
  public:
   /// The nearest in the latest cloud, if one is at least as wide as a thin post. It is lost as a whole, or about to be,
-  /// if it is so near that the floor before it is not seen any more.
-  std::optional<Loss> judge(const NearGround& ground, const Pixels& picture, const Outlook& outlook);
+  /// if it is so near that the floor before it is not seen any more; in each column, for as long as patience lasts.
+  std::optional<Loss> judge(const NearGround& ground, const Pixels& picture, const Outlook& outlook,
+                            const Patience& patience);
 
   /// The next picture lies in this frame.
   void move_to(const Frame& frame);
@@ -50,6 +52,7 @@ class LowObstacles {
   std::vector<Beside> all_steps() const;
   bool shows(const Beside& step) const;
   void survey(const NearGround& ground);
+  void forget_old(const Patience& patience);
   void look_at_row(const Millimetres* codes);
   bool is_step(std::size_t column) const { return floor_[column] > 0; }
   bool hides_floor(std::size_t column) const;
@@ -60,10 +63,11 @@ class LowObstacles {
   Frame frame_;
   std::vector<Beside> beside_;
   // Of each column, below the camera.
-  std::vector<Millimetres> floor_;   ///< before the step; 0 if there is no step
-  std::vector<Millimetres> lowest_;  ///< the near ground that the lowest pixel of it shows now
-  std::vector<std::int16_t> above_;  ///< pixels that show ground a step above that, or above `floor_`
-  bool is_corridor_new_ = false;     ///< and no cloud has come since
+  std::vector<Millimetres> floor_;    ///< before the step; 0 if there is no step
+  std::vector<Millimetres> lowest_;   ///< the near ground that the lowest pixel of it shows now
+  std::vector<double> hidden_since_;  ///< [s] steady: the floor before the step
+  std::vector<std::int16_t> above_;   ///< pixels that show ground a step above that, or above `floor_`
+  bool is_corridor_new_ = false;      ///< and no cloud has come since
 };
 
 }  // namespace safety_control_cloud

@@ -83,17 +83,15 @@ bool NearLoss::cuts_off(const Sight& sight, const Outlook& outlook) const {
 
 std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const Outlook& outlook, double now) {
   if (limits_.distance <= 0.0) return std::nullopt;
-  auto loss = is_picture(view) ? judge_organised(view, sight, outlook) : judge_points(view, sight, outlook);
+  const Patience patience{now, limits_.timeout};
+  auto loss =
+      is_picture(view) ? judge_organised(view, sight, outlook, patience) : judge_points(view, sight, outlook, patience);
   write_down(loss && !is_in_sight(*loss), now);
   if (!loss || is_in_sight(*loss)) {
     lost_since_.reset();
     return loss;
   }
   if (!lost_since_) lost_since_ = now;
-  if (limits_.timeout > 0.0 && now - *lost_since_ >= limits_.timeout) {
-    forget();
-    return std::nullopt;
-  }
   loss->since = lost_since_;
   loss->hint = loss->cause == Cause::LowObstacle
                    ? "the floor before it is seen again, or after ~reset, when somebody has looked"
@@ -101,7 +99,8 @@ std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const 
   return loss;
 }
 
-std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sight, const Outlook& outlook) {
+std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sight, const Outlook& outlook,
+                                              const Patience& patience) {
   Pixels picture(view, outlook.corridor.range_min);
   const Frame frame{picture.width(), picture.height(), optics_.look_at(view, picture)};
   move_to(frame);
@@ -109,8 +108,8 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
   picture.look_along(frame.rays);
   picture.frame(margins_.note(picture));
   ground_.look_at(picture, outlook, near_distance());
-  remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels}, 1);
-  const auto low = low_.judge(ground_, picture, outlook);
+  remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels}, 1, patience);
+  const auto low = low_.judge(ground_, picture, outlook, patience);
   auto loss = nearer(low, lost(outlook));
   auto covered = floor_.covered();
   if (!covered.empty()) {
@@ -126,7 +125,8 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
 
 /// What hides the floor is noticed by itself only in a picture: here the floor has to be seen for longer, since strays
 /// may fill a hole in it for a moment.
-std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight, const Outlook& outlook) {
+std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight, const Outlook& outlook,
+                                           const Patience& patience) {
   const bool any_near = sight.nearest && sight.nearest->distance() - outlook.camera().z < watched_distance();
   const bool free = things_.empty() && !any_near;
   if (free && !raster_.usual().learns()) return std::nullopt;
@@ -139,20 +139,22 @@ std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight,
   ground_.look_at(picture, outlook, near_distance());
   const std::size_t least = std::min(least_pixels, 1 + raster_.filled() / pixels_of_few);
   const Sight in_raster = look(raster, outlook, Crop::Skip, Rows::Apart);
-  remember({picture, outlook, in_raster.nearest_in_rows, watched_distance(), least, sparse}, FloorStrip::lately);
+  remember({picture, outlook, in_raster.nearest_in_rows, watched_distance(), least, sparse}, FloorStrip::lately,
+           patience);
   return lost(outlook);
 }
 
-void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor) {
+void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, const Patience& patience) {
   auto things = near_things(search);
   ground_.place(things, search.picture, search.outlook);
-  floor_.survey(ground_);
+  floor_.survey(ground_, patience);
   const auto is_seen_again = [&](std::size_t column) {
     const std::size_t i = ground_.column_at(column);
     return !ground_.is_near(i) && floor_.is_seen_again(i, clouds_of_floor > 1);
   };
   const ThingsMemory::NearFloor floor{is_seen_again, floor_.rows(), clouds_of_floor};
   things_.update(std::move(things), search.picture, floor, near_distance(), axis_of(search.outlook));
+  things_.forget_old(patience);
 }
 
 void NearLoss::write_down(bool lost, double now) {

@@ -58,9 +58,11 @@ class NearLoss {
   std::optional<Loss> judge(const View& view, const Sight& sight, const Outlook& outlook, double now);
 
  private:
-  std::optional<Loss> judge_organised(const View& view, const Sight& sight, const Outlook& outlook);
-  std::optional<Loss> judge_points(const View& view, const Sight& sight, const Outlook& outlook);
-  void remember(const NearSearch& search, std::uint8_t clouds_of_floor);
+  std::optional<Loss> judge_organised(const View& view, const Sight& sight, const Outlook& outlook,
+                                      const Patience& patience);
+  std::optional<Loss> judge_points(const View& view, const Sight& sight, const Outlook& outlook,
+                                   const Patience& patience);
+  void remember(const NearSearch& search, std::uint8_t clouds_of_floor, const Patience& patience);
   std::optional<Loss> lost(const Outlook& outlook) const;
   bool is_lost(const Remembered& thing, const Spot& spot, const Outlook& outlook) const;
   std::vector<Point> lost_spots(const Outlook& outlook) const;
@@ -80,7 +82,7 @@ class NearLoss {
   Raster raster_;
   Margins margins_;
   ThingsMemory things_;
-  std::optional<double> lost_since_;
+  std::optional<double> lost_since_;  ///< [s] anything, without a break
   std::string text_;
   double written_at_ = 0.0;    ///< [s]
   bool written_lost_ = false;  ///< whether anything was lost then

@@ -19,14 +19,15 @@ struct Spot {
   std::uint16_t row = 0, column = 0;
   bool row_shown = true, column_shown = true;  ///< by the picture as it is now; if not, it says nothing there
   Point point;                                 ///< in the cloud's frame [m]
-  std::optional<Point> place{};  ///< in the corridor's axes, as the camera looked then [m]; none: as it looks now
-  float share = 0.0f;            ///< of the thing's size that it stands for [m2]
-  std::uint8_t company = 0;      ///< how many of the 3 x 3 pixels around it returned then
-  std::uint8_t seen_past = 0;    ///< so many successive clouds show something behind it
-  std::uint8_t lost_for = 0;     ///< so many clouds have been asked about it, or more than enough
-  bool stands = false;           ///< what is seen in this column reached down to the near floor
-  bool foot_unseen = false;      ///< nothing farther away returned in this column below what is seen
-  std::optional<Axis> axis{};    ///< of the camera then; none: of the first that asks
+  std::optional<Point> place{};        ///< in the corridor's axes, as the camera looked then [m]; none: as it looks now
+  float share = 0.0f;                  ///< of the thing's size that it stands for [m2]
+  std::uint8_t company = 0;            ///< how many of the 3 x 3 pixels around it returned then
+  std::uint8_t seen_past = 0;          ///< so many successive clouds show something behind it
+  std::uint8_t lost_for = 0;           ///< so many clouds have been asked about it, or more than enough
+  bool stands = false;                 ///< what is seen in this column reached down to the near floor
+  bool foot_unseen = false;            ///< nothing farther away returned in this column below what is seen
+  std::optional<Axis> axis{};          ///< of the camera then; none: of the first that asks
+  std::optional<double> lost_since{};  ///< [s] steady
 
   bool is_shown() const { return row_shown && column_shown; }
 };

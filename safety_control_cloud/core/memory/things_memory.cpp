@@ -79,6 +79,15 @@ void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const 
                 things_.end());
 }
 
+void ThingsMemory::forget_old(const Patience& patience) {
+  const auto is_old = [&](Spot& spot) {
+    if (!spot.lost_since) spot.lost_since = patience.now;
+    return patience.ends(*spot.lost_since);
+  };
+  for (Remembered& thing : things_)
+    thing.lost.erase(std::remove_if(thing.lost.begin(), thing.lost.end(), is_old), thing.lost.end());
+}
+
 /// Of what is farther away than near, keeps what has vanished in mid-air.
 void ThingsMemory::note_vanished(Remembered& thing, const Pixels& picture, float near) {
   if (thing.vanished) return;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "evidence.hpp"
+#include "patience.hpp"
 
 namespace safety_control_cloud {
 
@@ -56,6 +57,8 @@ class ThingsMemory {
 
   /// Nearer than `near` [m] ahead of the camera is near.
   void update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor, float near, const Axis& axis);
+  /// Drops what has been lost for too long, and nothing else.
+  void forget_old(const Patience& patience);
 
   const std::vector<Remembered>& things() const { return things_; }
   template <class Visit>
