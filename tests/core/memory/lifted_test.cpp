@@ -101,10 +101,9 @@ TEST_P(Lifted, FloorThatReturnsNothingWhileItComesNearerDoesNotFreeIt) {
 
 TEST_P(Lifted, LidStaysLostWhenWhatItLayOnIsTakenAway) {
   const auto lid = [](float z) { return Board{z, -0.4f, 0.4f, -0.2f, 0.0f}; };
-  const auto below = [](float z) { return Board{z, -0.2f, 0.4f, 0.0f, floor_y}; };
+  const auto below = [](float z) { return Board{z, -0.1f, 0.4f, 0.0f, floor_y}; };
   for (float z = 0.8f; z > 0.37f; z -= 0.02f) sees({lid(z), below(z)});
   for (int i = 0; i < 10; ++i) ASSERT_EQ(sees({lid(0.37f), below(0.37f)}).speed, 0.0) << i;
-  if (!GetParam().organised && GetParam().wall_behind) return;  // what reaches above the points goes with the rest
   for (int i = 0; i < 40; ++i) ASSERT_EQ(sees({lid(0.37f)}).speed, 0.0) << i;
 }
 
