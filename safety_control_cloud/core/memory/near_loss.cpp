@@ -103,7 +103,8 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
                                               const Patience& patience) {
   Pixels picture(view, outlook.corridor.range_min);
   const Frame frame{picture.width(), picture.height(), optics_.look_at(view, picture)};
-  move_to(frame);
+  const double share = share_of_angle(frame_, frame);
+  if (move_to(frame)) things_.scale_sizes(share);
   low_.move_to(frame);
   picture.look_along(frame.rays);
   picture.frame(margins_.note(picture));
@@ -184,14 +185,15 @@ bool NearLoss::restore(const std::string& text) {
   return true;
 }
 
-/// The spots of what is remembered in another picture, from a camera that looks the same way.
-void NearLoss::move_to(const Frame& frame) {
-  if (frame == frame_) return;
+/// The spots of what is remembered in another picture, from a camera that looks the same way; whether it is another.
+/// Their sizes stay: in a raster, whose cells grow with the spacing of the points, one point is one pixel all the same.
+bool NearLoss::move_to(const Frame& frame) {
+  if (frame == frame_) return false;
   things_.for_each_spot([&](Spot& spot) { place(spot, frame_, frame); });
-  things_.scale_sizes(share_of_angle(frame_, frame));
   frame_ = frame;
   floor_ = FloorStrip{};
   margins_ = Margins{};
+  return true;
 }
 
 /// The axes that places are told in may be other ones.

@@ -66,7 +66,7 @@ class NearLoss {
   std::optional<Loss> lost(const Outlook& outlook) const;
   bool is_lost(const Remembered& thing, const Spot& spot, const Outlook& outlook) const;
   std::vector<Point> lost_spots(const Outlook& outlook) const;
-  void move_to(const Frame& frame);
+  bool move_to(const Frame& frame);
   void write_down(bool lost, double now);
   double blind_range() const;
   double kept_distance() const;

@@ -64,6 +64,22 @@ TEST(Unorganised, WallOfFewPointsThatIsSeenToMoveAwayIsNotLost) {
   }
 }
 
+/// As far apart as before in metres, so that the cells of the raster grow with each step.
+TEST(Unorganised, WallOfFewPointsThatCameNearAndMovesAwayIsNotLost) {
+  Robot robot;
+  double speed = 0.0;
+  for (const float z : {1.5f, 1.0f, 0.75f, 0.5f, 0.4f, 0.51f, 1.01f}) {
+    std::vector<Xyz> wall;
+    for (int i = 0; i < 13 * 11; ++i) {
+      wall.push_back({-0.6f + 0.1f * static_cast<float>(i % 13), -0.5f + 0.1f * static_cast<float>(i / 13), z});
+    }
+    const Decision decision = robot.sees(view_of(wall));
+    EXPECT_EQ(decision.cause, Cause::Seen) << z << ": " << decision.reason;
+    speed = decision.speed;
+  }
+  EXPECT_EQ(speed, 0.2);
+}
+
 /// What is thinner than two cells of the raster leaves no hole in it.
 TEST(Unorganised, ThinThingThatIsTooNearLiesBetweenTheRays) {
   const Board wall = {2.0f, -4.0f, 4.0f, -3.0f, floor_y};
