@@ -23,7 +23,7 @@ namespace {
 /// Asks for the bytes that come up when another `distance` have been taken. The processor sees by itself that a cloud
 /// is read from end to end, but asks too late, and not across the end of a page. Behind the cloud it does no harm.
 HWY_INLINE void fetch_ahead(const std::uint8_t* from, std::size_t size) {
-  constexpr std::size_t distance = 4096, cache_line = 64;
+  constexpr std::size_t distance = 6144, cache_line = 64;
   for (std::size_t i = 0; i < size; i += cache_line) hwy::Prefetch(from + distance + i);
 }
 
@@ -53,7 +53,7 @@ HWY_INLINE Points transposed(Float first, Float second, Float third, Float fourt
 }
 
 /// x, y, z and nothing else.
-struct Packed {
+struct PackedInOrder {
   const std::uint8_t* first;
 
   HWY_INLINE void fetch(std::size_t column, std::size_t size) const { fetch_ahead(first + column * 12, size * 12); }
@@ -62,7 +62,67 @@ struct Packed {
     hn::LoadInterleaved3(Floats(), reinterpret_cast<const float*>(first + column * 3 * sizeof(float)), x, y, z);
     return {x, y, z};
   }
+  HWY_INLINE Points at_in_any_order(std::size_t column) const { return at(column); }
 };
+
+#if HWY_TARGET <= HWY_AVX3
+
+/// The same with fewer shuffles where the order does not matter. The lanes of three successive vectors are x, y, z, x,
+/// ... and 3 n + 1 in each: what is x in one of the vectors is not in the others, so that the x of all three are
+/// blended, each in its lane. The y lie one lane behind their x, the z two.
+class Packed : public PackedInOrder {
+  static_assert(lanes % 3 == 1);
+
+  struct Tables {
+    alignas(sizeof(Float)) std::int32_t axis[lanes], one_on[lanes], two_on[lanes];
+  };
+  static constexpr Tables tables() {
+    Tables all{};
+    for (std::size_t i = 0; i < lanes; ++i) {
+      all.axis[i] = static_cast<std::int32_t>(i % 3);
+      all.one_on[i] = static_cast<std::int32_t>((i + 1) % lanes);
+      all.two_on[i] = static_cast<std::int32_t>((i + 2) % lanes);
+    }
+    return all;
+  }
+  using Order = decltype(hn::SetTableIndices(Floats(), Tables{}.one_on));
+
+  /// Each blend might load it anew, across two lines of the cache.
+  static HWY_INLINE Float loaded_once(const float* from) {
+    Float vector = hn::LoadU(Floats(), from);
+    __asm__("" : "+v"(vector.raw));
+    return vector;
+  }
+
+  Mask x_of_first, x_of_second;
+  Order one_on, two_on;
+
+ public:
+  explicit HWY_INLINE Packed(const std::uint8_t* points) : PackedInOrder{points} {
+    static constexpr Tables of = tables();
+    const auto axis = hn::Load(Signed(), of.axis);
+    x_of_first = hn::RebindMask(Floats(), hn::Eq(axis, hn::Zero(Signed())));
+    x_of_second = hn::RebindMask(Floats(), hn::Eq(axis, hn::Set(Signed(), 2)));
+    one_on = hn::SetTableIndices(Floats(), of.one_on);
+    two_on = hn::SetTableIndices(Floats(), of.two_on);
+  }
+
+  HWY_INLINE Points at_in_any_order(std::size_t column) const {
+    const auto* from = reinterpret_cast<const float*>(first + column * 3 * sizeof(float));
+    const Float a = loaded_once(from), b = loaded_once(from + lanes), c = loaded_once(from + 2 * lanes);
+    const auto blended = [&](Float in_first, Float in_second, Float in_third) HWY_ATTR {
+      return hn::IfThenElse(x_of_first, in_first, hn::IfThenElse(x_of_second, in_second, in_third));
+    };
+    return {blended(a, b, c), hn::TableLookupLanes(blended(b, c, a), one_on),
+            hn::TableLookupLanes(blended(c, a, b), two_on)};
+  }
+};
+
+#else
+
+using Packed = PackedInOrder;
+
+#endif
 
 /// x, y, z in this order, and a step that the compiler knows.
 template <std::size_t point_step>
@@ -77,6 +137,13 @@ struct Stepped {
     const std::uint8_t* from = first + column * point_step;
     return transposed(blocks(from), blocks(from + point_step), blocks(from + 2 * point_step),
                       blocks(from + 3 * point_step));
+  }
+  /// Where points fill their blocks, vectors are loaded whole.
+  HWY_INLINE Points at_in_any_order(std::size_t column) const {
+    if constexpr (point_step != block_size) return at(column);
+    const auto* from = reinterpret_cast<const float*>(first + column * point_step);
+    const auto whole = [&](std::size_t i) HWY_ATTR { return hn::LoadU(Floats(), from + i * lanes); };
+    return transposed(whole(0), whole(1), whole(2), whole(3));
   }
 };
 
@@ -98,6 +165,7 @@ struct Near {
     return transposed(blocks(from), blocks(from + point_step), blocks(from + 2 * point_step),
                       blocks(from + 3 * point_step));
   }
+  HWY_INLINE Points at_in_any_order(std::size_t column) const { return at(column); }
 };
 
 /// Where the bytes of x, y and z lie in their block.

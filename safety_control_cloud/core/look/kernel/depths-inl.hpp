@@ -76,6 +76,7 @@ struct Depths {
     return {hn::Mul(hn::Mul(right, depth), x_scale), hn::Mul(hn::Mul(down, depth), y_scale),
             Unit::in_metres(depth, z_scale)};
   }
+  HWY_INLINE Points at_in_any_order(std::size_t column) const { return at(column); }
 };
 
 #endif

@@ -42,9 +42,14 @@ struct Counting {
 
   HWY_INLINE void start_run() { nearest = lowest = all(infinity); }
 
+  HWY_INLINE void go_on_from(const Counting& other) {
+    returns = other.returns, inside = other.inside;
+    nearest = other.nearest, lowest = other.lowest;
+  }
+
   template <class Source>
   HWY_INLINE void take(const Source& points, std::size_t column, std::size_t) {
-    note(points.at(column));
+    note(points.at_in_any_order(column));
   }
 
   /// A function, not the loop's own lines: named there, the points go to memory instead of registers.
@@ -68,9 +73,11 @@ struct CountingTooClose {
   explicit HWY_INLINE CountingTooClose(const Outlook& outlook)
       : walls(outlook.corridor), anywhere(outlook.placement.has_value()) {}
 
+  HWY_INLINE void go_on_from(const CountingTooClose& other) { too_close = other.too_close; }
+
   template <class Source>
   HWY_INLINE void take(const Source& points, std::size_t column, std::size_t) {
-    too_close.add(hn::RebindMask(Integers(), is_too_close(points.at(column), walls, anywhere)));
+    too_close.add(hn::RebindMask(Integers(), is_too_close(points.at_in_any_order(column), walls, anywhere)));
   }
 };
 
@@ -85,6 +92,8 @@ struct Listing {
 
   HWY_INLINE Listing(const Outlook& outlook, Inside& inside)
       : walls(outlook.corridor), place(outlook), found(&inside) {}
+
+  HWY_INLINE void go_on_from(const Listing&) {}
 
   template <class Source>
   HWY_INLINE void take(const Source& points, std::size_t from, std::size_t column) {
@@ -109,6 +118,8 @@ struct Gathering {
 
   HWY_INLINE Gathering(const Outlook& outlook, const Region& region, Places& places)
       : walls(outlook.corridor), bounds(region), place(outlook), found(&places) {}
+
+  HWY_INLINE void go_on_from(const Gathering& other) { size = other.size; }
 
   template <class Source>
   HWY_INLINE void take(const Source& source, std::size_t from, std::size_t) {

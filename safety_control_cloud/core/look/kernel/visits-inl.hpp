@@ -45,11 +45,12 @@ struct Copied {
     const Floats tag;
     return {hn::Load(tag, x + column), hn::Load(tag, y + column), hn::Load(tag, z + column)};
   }
+  HWY_INLINE Points at_in_any_order(std::size_t column) const { return at(column); }
 };
 
 /// Lets the visitor take `size` points, which stand `shift` columns into the run, and NaN to the end of a vector that
 /// they do not fill, as in Copied. A function of its own, so that the compiler keeps what the visitor counts in
-/// registers.
+/// registers; only that is written back, for a row of a picture is soon over.
 template <class Source, class Visitor>
 HWY_NOINLINE void visit_points(const Source& points, std::size_t size, std::size_t shift, Visitor& visitor) {
   Visitor local = visitor;
@@ -57,7 +58,7 @@ HWY_NOINLINE void visit_points(const Source& points, std::size_t size, std::size
     points.fetch(column, Visitor::at_once);
     local.take(points, column, shift + column);
   }
-  visitor = local;
+  visitor.go_on_from(local);
 }
 
 template <class Row, class Visitor>
