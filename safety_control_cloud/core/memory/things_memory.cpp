@@ -164,7 +164,9 @@ void ThingsMemory::follow(std::vector<Thing> seen) {
 }
 
 void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Axis& axis) {
-  double past = 0.0, leaving = 0.0, blank = 0.0;  // of those that stay
+  double past = 0.0, leaving = 0.0;  // of those that stay
+  std::vector<std::size_t> not_seen_past;
+  std::size_t staying = 0;
   std::vector<Evidence> said(thing.lost.size());
   std::vector<Spot> seen_past, standing;
   for (std::size_t i = 0; i < said.size(); ++i) {
@@ -197,21 +199,26 @@ void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor
     }
     if (spot.seen_past > 0) {
       past += double{spot.share};
-    } else if (between_rays || leaves_a_hole(spot, picture)) {
-      blank += double{spot.share};
+    } else {
+      not_seen_past.push_back(staying);
     }
     return false;
   };
-  std::size_t staying = 0;
   for (std::size_t i = 0; i < said.size(); ++i) {
     if (!goes(thing.lost[i], said[i])) std::swap(thing.lost[staying++], thing.lost[i]);
   }
   thing.lost.resize(staying);
   const double gone = thing.freed + past, asked = size_of(thing.lost) - leaving;
   const bool is_most = gone >= nearly * (thing.freed + asked) && gone >= few * (gone + leaving);
+  if (!(gone > 0.0) || !is_most) return;
+  double blank = 0.0;
+  for (const std::size_t i : not_seen_past) {
+    const Spot& spot = thing.lost[i];
+    if (between_rays || leaves_a_hole(spot, picture)) blank += double{spot.share};
+  }
   // A hole may be something else, which went out of sight together with it.
   const bool is_rest_a_hole = 2.0 * blank > asked - past;
-  if (gone > 0.0 && is_most && !is_rest_a_hole) thing.lost.clear();
+  if (!is_rest_a_hole) thing.lost.clear();
 }
 
 }  // namespace safety_control_cloud
