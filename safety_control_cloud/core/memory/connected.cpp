@@ -3,105 +3,142 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <limits>
 
 namespace safety_control_cloud {
+namespace {
 
-Connected::Connected(const NearPixels& found, float jump) : found_(found), jump_(jump) {
+constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+constexpr NearPixels::Index no_run = std::numeric_limits<NearPixels::Index>::max();
+
+/// Marks of slots are passed over by the word: most say nothing.
+using Word = std::uint64_t;
+constexpr std::size_t in_word = sizeof(Word);
+constexpr Word in_each(std::uint8_t mark) { return mark * Word{0x0101010101010101}; }
+
+Word word_at(const std::uint8_t* from) {
+  Word word;
+  std::memcpy(&word, from, sizeof word);
+  return word;
+}
+
+std::size_t whole_words(std::size_t slots) { return (slots + in_word - 1) / in_word * in_word; }
+
+}  // namespace
+
+Connected::Connected(const NearPixels& found, float jump)
+    : found_(found),
+      jump_(jump),
+      touched_(found.ahead.size(), 0),
+      back_(found.slots + gap, 0),
+      begins_(whole_words(found.slots), 0),
+      up_(whole_words(found.slots), 0) {
   connect();
-  things_ = together();
+  gather_things();
 }
 
-/// With what lies to the left of each pixel, and above it. What is connected along a line is one run, so that runs are
-/// joined and not every pixel.
+Connected::Line::Line(std::size_t slots) : ahead(slots + 2 * gap, nothing), run(slots + 2 * gap, no_run) {}
+
 void Connected::connect() {
-  const auto size = static_cast<Index>(found_.pixels.size());
-  touched_.assign(size, 0);
-  run_.resize(size);
-  ahead_.resize(size);
-  slot_.resize(size);
-  for (Index i = 0; i < size; ++i) {
-    ahead_[i] = found_.pixels[i].ahead;
-    slot_[i] = found_.pixels[i].slot;
-  }
-  std::array<Line, gap + 1> lines;  // the latest first
-  for (Line& line : lines) line.at.assign(found_.slots + 2, no_index);
-  Index end = 0;
-  for (Index begin = 0; begin < size; begin = end) {
-    const std::uint16_t line = found_.pixels[begin].line;
-    while (end < size && found_.pixels[end].line == line) ++end;
+  const std::size_t slots = found_.slots;
+  std::array<Line, gap + 1> lines{Line(slots), Line(slots), Line(slots)};  // the latest first
+  Line none(slots);
+  std::vector<std::uint32_t> untouched(slots);
+  none.touched = untouched.data();
+  for (std::size_t i = 0; i < found_.rows.size(); ++i) {
     std::rotate(lines.begin(), lines.end() - 1, lines.end());
-    lines[0].row = found_.rows[line];
-    std::fill(lines[0].at.begin(), lines[0].at.end(), no_index);
-    connect_along(begin, end);
-    Index* const at = lines[0].at.data() + 1;
-    for (Index i = begin; i < end; ++i) at[slot_[i]] = i;
-    connect_up(begin, end, lines);
+    const auto begin = static_cast<Index>(i * slots);
+    Line& line = lines[0];
+    line.row = found_.rows[i];
+    line.touched = touched_.data() + begin;
+    std::copy_n(found_.ahead.data() + begin, slots, line.ahead.data() + gap);
+    connect_along(line, begin);
+    const auto is_near = [&](std::size_t up) { return i >= up && line.row - lines[up].row <= gap * found_.row_step; };
+    if (is_near(1)) connect_up(line, lines[1], is_near(2) ? lines[2] : none);
   }
 }
 
-/// Each of a line to the nearest to its left that is as far ahead.
-void Connected::connect_along(Index begin, Index end) {
-  const float* const ahead = ahead_.data();
-  const std::uint16_t* const slot = slot_.data();
-  Index* const run = run_.data();
-  std::uint8_t* const touched = touched_.data();
-  for (Index i = begin; i < end; ++i) {
-    Index left = no_index;
-    for (Index j = i; left == no_index && j-- > begin && slot[j] + gap >= slot[i];)
-      if (std::abs(ahead[i] - ahead[j]) <= jump_) left = j;
-    if (left == no_index) {
-      run[i] = runs_.add();
+void Connected::connect_along(Line& line, Index begin) {
+  const std::size_t slots = found_.slots;
+  lines::go_on_along(line.slots(), slots, jump_, back_.data(), begins_.data(), line.touched);
+  Index* const run = line.run.data() + gap;
+  std::size_t since = 0;
+  Index latest = no_run;
+  for (std::size_t first = 0; first < slots; first += in_word) {
+    if (word_at(begins_.data() + first) == 0) continue;
+    for (std::size_t i = first; i < first + in_word; ++i) {
+      if (begins_[i] == 0) continue;
+      std::fill(run + since, run + i, latest);
+      latest = runs_.add();
+      since = i;
+      if (begins_[i] & lines::GoesOn) runs_.join(latest, run[i - 2]);
+      const Index here = begin + static_cast<Index>(i);
+      if (!stretches_.empty()) stretches_.back().end = std::min(stretches_.back().end, here);
+      stretches_.push_back({here, begin + static_cast<Index>(slots)});
+    }
+  }
+  std::fill(run + since, run + slots, latest);
+}
+
+void Connected::connect_up(Line& line, Line& above, Line& next) {
+  lines::go_on_up(line.slots(), above.slots(), next.slots(), found_.slots, jump_, up_.data(),
+                  {line.touched, above.touched, next.touched});
+  Index run = no_run, run_above = no_run, run_next = no_run;
+  Word ups = 0;  // of slots with these
+  const auto join = [&] {
+    if (ups & in_each(lines::RunAbove)) runs_.join(run, run_above);
+    if (ups & in_each(lines::RunNext)) runs_.join(run, run_next);
+    ups = 0;
+  };
+  for (std::size_t first = 0; first < up_.size(); first += in_word) {
+    const Word some = word_at(up_.data() + first);
+    if ((some & in_each(lines::IsOther | lines::OtherRun)) == 0) {
+      ups |= some;
       continue;
     }
-    touched[i] |= Left, touched[left] |= Right;
-    run[i] = run[left];
-  }
-}
-
-/// Each to what is straight above and as far ahead, or else to both beside that, or else to the same of the line above.
-void Connected::connect_up(Index begin, Index end, const std::array<Line, gap + 1>& lines) {
-  const float* const ahead = ahead_.data();
-  const Index* const run = run_.data();
-  std::uint8_t* const touched = touched_.data();
-  Index one = no_index, other = no_index;  // runs, the latest that were joined
-  const auto goes_on = [&](Index i, Index j) { return j != no_index && std::abs(ahead[i] - ahead[j]) <= jump_; };
-  const auto join = [&](Index i, Index j) {
-    if (run[i] == one && run[j] == other) return;
-    one = run[i], other = run[j];
-    runs_.join(one, other);
-  };
-  std::size_t above = 0;
-  while (above < gap && lines[0].row - lines[above + 1].row <= gap * found_.row_step) ++above;
-  for (Index i = begin; i < end; ++i) {
-    for (std::size_t up = 1; up <= above; ++up) {
-      const Index* const over = lines[up].at.data() + 1 + slot_[i];
-      if (goes_on(i, over[0])) {
-        touched[i] |= Above, touched[over[0]] |= Below;
-        join(i, over[0]);
-        break;
+    for (std::size_t i = first; i < std::min(first + in_word, found_.slots); ++i) {
+      if (up_[i] & (lines::IsOther | lines::OtherRun)) {
+        join();
+        run = line.run[gap + i], run_above = above.run[gap + i], run_next = next.run[gap + i];
       }
-      const bool left = goes_on(i, over[-1]), right = goes_on(i, over[1]);
-      if (left) join(i, over[-1]);
-      if (right) join(i, over[1]);
-      if (left || right) break;
+      if (up_[i] & lines::OtherRun && !join_aside(line, above, gap + i)) join_aside(line, next, gap + i);
+      ups |= up_[i];
     }
   }
+  join();
 }
 
-/// Those that are one, by the first of each.
-std::vector<Members> Connected::together() {
-  std::vector<Index> thing(runs_.size());  // of each run; the first run of a thing is the first to be met
+/// Whether there was anything to join.
+bool Connected::join_aside(const Line& line, const Line& above, std::size_t at) {
+  bool any = false;
+  for (const std::size_t beside : {at - 1, at + 1}) {
+    const bool goes_on = std::abs(line.ahead[at] - above.ahead[beside]) <= jump_;
+    if (goes_on) runs_.join(line.run[at], above.run[beside]);
+    any = any || goes_on;
+  }
+  return any;
+}
+
+/// Those that are one, by the first run of each, which is the first to be met. Each run is a stretch; those that follow
+/// each other in a line are one.
+void Connected::gather_things() {
+  std::vector<Index> thing(runs_.size());  // of each run
   Index things = 0;
   for (Index run = 0; run < thing.size(); ++run) {
     const Index root = runs_.root(run);
     thing[run] = root == run ? things++ : thing[root];
   }
-  std::vector<Index> size(things, 0);
-  for (const Index run : run_) ++size[thing[run]];
-  std::vector<Members> all(things);
-  for (std::size_t i = 0; i < all.size(); ++i) all[i].reserve(size[i]);
-  for (Index i = 0; i < run_.size(); ++i) all[thing[run_[i]]].push_back(i);
-  return all;
+  things_.resize(things);
+  for (std::size_t i = 0; i < stretches_.size(); ++i) {
+    auto& all = things_[thing[i]];
+    const bool goes_on = !all.empty() && all.back().end == stretches_[i].begin && found_.slot_of(all.back().end) > 0;
+    if (goes_on) {
+      all.back().end = stretches_[i].end;
+    } else {
+      all.push_back(stretches_[i]);
+    }
+  }
 }
 
 }  // namespace safety_control_cloud

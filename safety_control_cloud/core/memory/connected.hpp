@@ -3,22 +3,18 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
+#include "kernel/lines.hpp"
 #include "near_pixels.hpp"
 
 namespace safety_control_cloud {
 
-using Index = std::uint32_t;  ///< of a pixel among those found
-constexpr Index no_index = std::numeric_limits<Index>::max();
-
-/// Some of the pixels, in their order.
-using Members = std::vector<Index>;
-
 /// Which of some numbers are connected.
 class Union {
  public:
+  using Index = std::uint32_t;
+
   Index add() {
     parent_.push_back(static_cast<Index>(parent_.size()));
     return parent_.back();
@@ -37,45 +33,57 @@ class Union {
   std::vector<Index> parent_;
 };
 
+/// Successive slots of one line [begin, end), all of whose pixels are of one thing; some may have none.
+struct Stretch {
+  NearPixels::Index begin, end;
+};
+
+inline std::size_t size_of(const Stretch& some) { return some.end - some.begin; }
+
 /// Which near pixels are one thing: they touch, and their ranges differ by no more than `jump` [m] from one to the
 /// next. Borrows the pixels.
 class Connected {
  public:
+  using Index = NearPixels::Index;
+
   Connected(const NearPixels& found, float jump);
 
-  /// Those that are one, by the first of each.
-  const std::vector<Members>& things() const { return things_; }
+  /// Those that are one, line by line; of these, by the first of each.
+  const std::vector<std::vector<Stretch>>& things() const { return things_; }
 
-  /// Whether a pixel touches others of its thing on all sides.
-  bool is_inner(Index pixel) const { return touched_[pixel] == All; }
+  /// Of each slot, on which sides its pixel touches others of its thing.
+  const std::vector<std::uint32_t>& touched() const { return touched_; }
 
  private:
-  /// Sides on which a pixel touches another one of its thing.
-  enum Side : std::uint8_t { Left = 1, Right = 2, Above = 4, Below = 8, All = 15 };
-
-  /// One of the rows that were looked at: of each slot, and of one beside them, the pixel.
-  struct Line {
-    std::size_t row = 0;
-    Members at = {};
-  };
-
   /// Pixels that return nothing, or are mixed of two ranges, do not part a thing: as many slots and lines.
   static constexpr std::size_t gap = 2;
 
+  /// One of the rows that were looked at, with `gap` slots beside it in which nothing is.
+  struct Line {
+    std::size_t row = 0;
+    std::vector<float> ahead;  ///< [m]
+    std::vector<Index> run;    ///< of each pixel; of a slot without one, that of the pixel before it
+    std::uint32_t* touched = nullptr;
+
+    explicit Line(std::size_t slots);
+    lines::LineOfSlots slots() const { return {ahead.data() + gap, run.data() + gap}; }
+  };
+
   void connect();
-  void connect_along(Index begin, Index end);
-  void connect_up(Index begin, Index end, const std::array<Line, gap + 1>& lines);
-  std::vector<Members> together();
+  void connect_along(Line& line, Index begin);
+  void connect_up(Line& line, Line& above, Line& next);
+  bool join_aside(const Line& line, const Line& above, std::size_t at);
+  void gather_things();
 
   const NearPixels& found_;
   const float jump_;
-  Union runs_;
-  // Of each pixel.
-  std::vector<float> ahead_;
-  std::vector<std::uint16_t> slot_;
-  std::vector<Index> run_;
-  std::vector<std::uint8_t> touched_;  ///< on which sides
-  std::vector<Members> things_;
+  Union runs_;  ///< what is connected along a line is one, so that these are joined and not every pixel
+  std::vector<Stretch> stretches_;      ///< of each run
+  std::vector<std::uint32_t> touched_;  ///< of each slot, on which sides
+  std::vector<std::vector<Stretch>> things_;
+  // Of each slot of a line.
+  std::vector<int> back_;
+  std::vector<std::uint8_t> begins_, up_;
 };
 
 }  // namespace safety_control_cloud

@@ -22,36 +22,21 @@ constexpr std::size_t edge_share = 128;
 
 }  // namespace
 
-/// Whether it shows any near ground. Which pixels return is as good as random where a camera is noisy: a branch on it
-/// would cost more than the code does, so each code is computed for all of them, and then chosen from.
+/// Whether it shows any near ground.
 bool NearGround::read_row(const Pixels& picture, const Outlook& outlook, float distance, std::size_t number,
                           Columns which) {
   picture.read(picture_row(number), (which == Columns::All ? 1 : probe) * column_step_, outlook, read_);
-  const float *const x = read_.x.data(), *const y = read_.y.data(), *const z = read_.z.data();
   const std::size_t size = read_.z.size();
-  const Corridor& corridor = outlook.corridor;
-  const float left = corridor.x_min, right = corridor.x_max, top = corridor.y_min, bottom = corridor.y_max;
-  const float camera_y = outlook.camera().y, camera_z = outlook.camera().z;
   codes_read_.resize(size);
   Code* const read = codes_read_.data();
-  int highest = nothing;
-  for (std::size_t i = 0; i < size; ++i) {
-    const float below = y[i] - camera_y, positive = below > 0.0f ? below : 0.0f;
-    const auto ground = static_cast<int>(0.5f + 1000.0f * (positive < 30.0f ? positive : 30.0f));
-    const bool ahead = (z[i] - camera_z < distance) & (z[i] > 0.0f);
-    const bool inside = (x[i] >= left) & (x[i] <= right) & (y[i] >= top);
-    const int here = y[i] <= bottom ? int{near} : ground, shown = ahead & inside ? here : int{elsewhere};
-    const int code = z[i] == z[i] ? shown : int{nothing};
-    read[i] = static_cast<Code>(code);
-    highest = highest > code ? highest : code;
-  }
+  const int highest = lines::find_ground(read_.pixels(), {outlook.corridor, outlook.camera(), distance}, read);
   Code* const codes = row(number);
   if (which == Columns::All) {
     std::copy(read, read + size, codes);
   } else {
     for (std::size_t i = 0; i < columns_; ++i) codes[i] = read[i / probe];
   }
-  shows_[number] = highest >= 0;
+  shows_[number] = highest >= lines::LeastGround;
   return shows_[number];
 }
 

@@ -17,9 +17,10 @@ namespace safety_control_cloud {
 class NearGround {
  public:
   using Code = std::int16_t;
-  static constexpr Code nothing = -3;    ///< returns
-  static constexpr Code elsewhere = -2;  ///< a return from farther away or from beside the corridor
-  static constexpr Code near = -1;       ///< something near, in the corridor
+  static constexpr Code nothing = lines::ReturnsNothing;  ///< returns
+  static constexpr Code elsewhere =
+      lines::ReturnsElsewhere;                      ///< a return from farther away or from beside the corridor
+  static constexpr Code near = lines::ReturnsNear;  ///< something near, in the corridor
   // From 0 on: near ground, as many [mm] below the camera.
 
   /// So many rows, and columns, of a picture that has more.

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "kernel/lines.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -12,6 +15,7 @@ constexpr std::size_t most_slots = 160;
 constexpr std::size_t enough_rows = 24;
 /// Where the nearest lies so much nearer than what was looked at, there is something else.
 constexpr float same = 0.93f;
+constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 
 class Lines {
  public:
@@ -21,7 +25,6 @@ class Lines {
   }
 
   NearPixels all() {
-    found_.pixels.reserve(enough_rows * most_slots);
     const auto& nearest = search_.nearest_in_row;
     const std::size_t near_rows = static_cast<std::size_t>(
         std::count_if(nearest.begin(), nearest.end(), [this](float z) { return is_near(z - camera_.z); }));
@@ -43,68 +46,52 @@ class Lines {
   bool is_near(float ahead) const { return (ahead > 0.0f) & (ahead < search_.distance); }
 
   void take(std::size_t row) {
-    const std::size_t begin = found_.pixels.size();
-    const float seen = look(row, found_.column_step);
-    if (seen * same > search_.nearest_in_row[row] - camera_.z) {
-      found_.pixels.resize(begin);
-      look(row, 1);
+    const std::size_t line = found_.ahead.size();
+    resize(line + found_.slots);
+    std::uint16_t* const column = found_.column.data() + line;
+    for (std::size_t i = 0; i < found_.slots; ++i) column[i] = static_cast<std::uint16_t>(i * found_.column_step);
+    float nearest = look(row, found_.column_step, found_.ahead.data() + line);
+    std::copy(places_.x.begin(), places_.x.end(), found_.x.begin() + static_cast<std::ptrdiff_t>(line));
+    std::copy(places_.y.begin(), places_.y.end(), found_.y.begin() + static_cast<std::ptrdiff_t>(line));
+    if (nearest * same > search_.nearest_in_row[row] - camera_.z) nearest = take_whole(row, line);
+    if (nearest < std::numeric_limits<float>::infinity()) {
+      found_.rows.push_back(row);
+    } else {
+      resize(line);
     }
-    if (found_.pixels.size() > begin) found_.rows.push_back(row);
   }
 
-  /// Of a slot's pixels the nearest; the nearest of all.
-  float look(std::size_t row, std::size_t step) {
-    search_.picture.read(row, step, search_.outlook, places_);
-    const std::size_t hits = list_hits(), begin = found_.pixels.size();
-    NearPixel pixel;
-    pixel.row = static_cast<std::uint16_t>(row);
-    pixel.line = static_cast<std::uint16_t>(found_.rows.size());
-    float nearest = std::numeric_limits<float>::infinity();
-    found_.pixels.resize(begin + hits);
-    NearPixel* const first = found_.pixels.data() + begin;
-    NearPixel* end = first;
-    for (std::size_t i = 0; i < hits; ++i) {
-      const std::size_t place = hits_[i], column = place * step;
-      pixel.column = static_cast<std::uint16_t>(column);
-      pixel.slot = static_cast<std::uint16_t>(step > 1 ? place : column / found_.column_step);
-      pixel.x = places_.x[place], pixel.y = places_.y[place], pixel.ahead = places_.z[place] - camera_.z;
-      nearest = std::min(nearest, pixel.ahead);
-      const bool is_new = step > 1 || end == first || end[-1].slot != pixel.slot;
-      if (!is_new && !(pixel.ahead < end[-1].ahead)) continue;
-      if (is_new) ++end;
-      end[-1] = pixel;
+  void resize(std::size_t size) {
+    for (auto* values : {&found_.ahead, &found_.x, &found_.y}) values->resize(size);
+    found_.column.resize(size);
+  }
+
+  /// Of a slot's pixels the nearest; of all too.
+  float take_whole(std::size_t row, std::size_t line) {
+    ahead_.resize(search_.picture.width());
+    const float nearest = look(row, 1, ahead_.data());
+    std::fill_n(found_.ahead.begin() + static_cast<std::ptrdiff_t>(line), found_.slots, nothing);
+    for (std::size_t column = 0; column < ahead_.size(); ++column) {
+      const std::size_t i = line + column / found_.column_step;
+      if (!(ahead_[column] < found_.ahead[i]) && !(std::isnan(found_.ahead[i]) && !std::isnan(ahead_[column])))
+        continue;
+      found_.ahead[i] = ahead_[column];
+      found_.column[i] = static_cast<std::uint16_t>(column);
+      found_.x[i] = places_.x[column], found_.y[i] = places_.y[column];
     }
-    found_.pixels.resize(begin + static_cast<std::size_t>(end - first));
     return nearest;
   }
 
-  /// Which of the places are near, in the corridor: as many. No branch, since which pixels return is as good as random.
-  std::size_t list_hits() {
-    const std::size_t size = places_.z.size();
-    near_.resize(size), hits_.resize(size);
-    const float *const x = places_.x.data(), *const y = places_.y.data(), *const z = places_.z.data();
-    int* const near = near_.data();
-    const Corridor corridor = search_.outlook.corridor;
-    const float from = camera_.z, farthest = search_.distance;
-    for (std::size_t i = 0; i < size; ++i) {
-      const float ahead = z[i] - from;
-      near[i] = (ahead > 0.0f) & (ahead < farthest) & (z[i] > 0.0f) & (x[i] >= corridor.x_min) &
-                (x[i] <= corridor.x_max) & (y[i] >= corridor.y_min) & (y[i] <= corridor.y_max);
-    }
-    std::uint32_t* const hits = hits_.data();
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-      hits[count] = static_cast<std::uint32_t>(i);
-      count += static_cast<std::size_t>(near[i]);
-    }
-    return count;
+  /// How far ahead every `step`-th pixel of a row is, if it is near and in the corridor; the nearest.
+  float look(std::size_t row, std::size_t step, float* ahead) {
+    search_.picture.read(row, step, search_.outlook, places_);
+    return lines::find_near(places_.pixels(), {search_.outlook.corridor, camera_, search_.distance}, ahead);
   }
 
   const NearSearch& search_;
   const Point camera_;
-  PixelRow places_;                  ///< of one row
-  std::vector<int> near_;            ///< of each, whether it is
-  std::vector<std::uint32_t> hits_;  ///< those that are
+  PixelRow places_;           ///< of one row
+  std::vector<float> ahead_;  ///< of a whole one
   NearPixels found_;
 };
 

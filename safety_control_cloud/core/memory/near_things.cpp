@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 
 #include "connected.hpp"
+#include "kernel/lines.hpp"
 #include "near_pixels.hpp"
 
 namespace safety_control_cloud {
@@ -24,6 +24,9 @@ constexpr double sparse_weight = 0.25;  // [m2] as of a pixel half a metre away
 
 std::size_t few_in(const Pixels& picture) { return std::max(few_pixels, picture.width() * picture.height() / few_of); }
 
+using Index = NearPixels::Index;
+using Stretches = std::vector<Stretch>;
+
 class Finding {
  public:
   explicit Finding(const NearSearch& search)
@@ -31,48 +34,60 @@ class Finding {
 
   std::vector<Thing> things() const {
     std::vector<Thing> things;
-    for (const Members& some : connected_.things()) {
-      if (is_enough(some)) things.push_back(thing_of(some));
+    for (const Stretches& some : connected_.things()) {
+      const lines::InSlots all = all_in(some);
+      if (is_enough(some, all.pixels)) things.push_back(thing_of(some, all));
     }
     return things;
   }
 
  private:
+  bool is_pixel(Index i) const { return found_.ahead[i] == found_.ahead[i]; }
+  lines::SomeSlots slots_of(const Stretch& some) const {
+    return {found_.ahead.data() + some.begin, found_.x.data() + some.begin, found_.y.data() + some.begin,
+            size_of(some)};
+  }
+
+  lines::InSlots all_in(const Stretches& stretches) const {
+    lines::InSlots all;
+    for (const Stretch& stretch : stretches) {
+      const lines::InSlots some = lines::in_slots(slots_of(stretch), search_.outlook.corridor, border);
+      all.pixels += some.pixels;
+      all.nearest = std::min(all.nearest, some.nearest);
+      all.squares += some.squares;
+      all.beside = all.beside || some.beside;
+    }
+    return all;
+  }
+
   /// A few pixels are told from noise by those around them, of which the search has left some out.
-  bool is_enough(const Members& some) const {
-    std::size_t pixels = some.size();
+  bool is_enough(const Stretches& all, std::size_t pixels) const {
     if (pixels >= search_.least_pixels) return true;
-    for (const Index i : some) pixels = std::max<std::size_t>(pixels, around(found_.pixels[i], jump));
+    for (const Index i : pixels_of(all)) pixels = std::max<std::size_t>(pixels, around(i, jump));
     return pixels >= search_.least_pixels;
   }
 
   /// How many of the 3 x 3 pixels around one return, at a range that differs by less than this [m].
-  std::uint8_t around(const NearPixel& pixel, float difference) const {
-    const auto ranges = search_.picture.around(pixel.row, pixel.column);
+  std::uint8_t around(Index i, float difference) const {
+    const auto ranges = search_.picture.around(found_.row_of(i), found_.column[i]);
     const float range = ranges[ranges.size() / 2];
     std::uint8_t count = 0;
     for (const float z : ranges) count = static_cast<std::uint8_t>(count + (std::abs(z - range) <= difference));
     return count;
   }
 
-  Thing thing_of(const Members& some) const {
+  Thing thing_of(const Stretches& some, const lines::InSlots& all) const {
     Thing thing;
-    thing.nearest = std::numeric_limits<float>::infinity();
-    Members lowest(found_.slots, no_index);
     const std::size_t pixels_each = found_.row_step * found_.column_step;
-    thing.pixels = some.size() * pixels_each;
+    thing.nearest = all.nearest;
+    thing.pixels = all.pixels * pixels_each;
     thing.is_slight = search_.least_pixels > 1 && thing.pixels < few_in(search_.picture);
-    for (const Index i : some) {
-      const NearPixel& pixel = found_.pixels[i];
-      thing.nearest = std::min(thing.nearest, pixel.ahead);
-      thing.size += search_.sparse ? sparse_weight : double{pixel.ahead} * pixel.ahead;
-      thing.at_border = thing.at_border || is_at_border(pixel);
-      lowest[pixel.slot] = i;  // they come row by row
-    }
-    for (const Index i : lowest) {
-      if (i != no_index) thing.feet.push_back({found_.pixels[i].row, found_.pixels[i].column, found_.pixels[i].ahead});
-    }
+    thing.at_border = all.beside || std::any_of(some.begin(), some.end(), [this](const Stretch& stretch) {
+                        return is_at_border_of_picture(stretch);
+                      });
+    thing.feet = feet_of(some);
     const auto width = static_cast<double>(search_.picture.width());
+    thing.size = search_.sparse ? sparse_weight * static_cast<double>(all.pixels) : all.squares;
     thing.size *=
         static_cast<double>(pixels_each) / (width * width);  // but for the camera's angle, which is always the same
     thing.spots = spots_of(some);
@@ -81,41 +96,65 @@ class Finding {
     return thing;
   }
 
+  std::vector<Foot> feet_of(const Stretches& all) const {
+    constexpr Index none = std::numeric_limits<Index>::max();
+    std::vector<Index> lowest(found_.slots, none);
+    for (const Stretch& some : all)  // they come line by line
+      lines::note_lowest(slots_of(some), some.begin, lowest.data() + found_.slot_of(some.begin));
+    std::vector<Foot> feet;
+    for (const Index i : lowest) {
+      if (i != none) feet.push_back({static_cast<std::uint16_t>(found_.row_of(i)), found_.column[i], found_.ahead[i]});
+    }
+    return feet;
+  }
+
   /// Spread over its inner pixels, if it has any.
-  std::vector<Spot> spots_of(const Members& some) const {
-    Members inner;
-    inner.reserve(some.size());
-    std::copy_if(some.begin(), some.end(), std::back_inserter(inner),
-                 [this](Index i) { return connected_.is_inner(i); });
-    const Members& chosen = inner.empty() ? some : inner;
+  std::vector<Spot> spots_of(const Stretches& all) const {
+    auto chosen = inner_of(all);
+    if (chosen.empty()) chosen = pixels_of(all);
     const std::size_t step = 1 + chosen.size() / most_spots;
     std::vector<Spot> spots;
     spots.reserve(chosen.size() / step + 1);
     double golden = 0.5;  // of each step: at its middle every time, they might all lie in one column
     for (std::size_t i = 0; i < chosen.size(); i += step, golden = std::fmod(golden + 0.618034, 1.0)) {
       const std::size_t at = i + static_cast<std::size_t>(golden * static_cast<double>(step));
-      if (at < chosen.size()) spots.push_back(spot_at(found_.pixels[chosen[at]]));
+      if (at < chosen.size()) spots.push_back(spot_at(chosen[at]));
     }
     return spots;
   }
 
-  Spot spot_at(const NearPixel& pixel) const {
+  std::vector<Index> inner_of(const Stretches& all) const {
+    std::size_t most = 0, size = 0;
+    for (const Stretch& some : all) most += size_of(some);
+    std::vector<Index> inner(most + lines::longest_vector);
+    for (const Stretch& some : all)
+      size += lines::list_inner(connected_.touched().data(), some.begin, some.end, inner.data() + size);
+    inner.resize(size);
+    return inner;
+  }
+
+  std::vector<Index> pixels_of(const Stretches& all) const {
+    std::vector<Index> pixels;
+    for (const Stretch& some : all)
+      for (Index i = some.begin; i < some.end; ++i)
+        if (is_pixel(i)) pixels.push_back(i);
+    return pixels;
+  }
+
+  Spot spot_at(Index i) const {
     Spot spot;
-    spot.row = pixel.row, spot.column = pixel.column;
-    spot.point = search_.picture.at(pixel.row, pixel.column);
+    spot.row = static_cast<std::uint16_t>(found_.row_of(i)), spot.column = found_.column[i];
+    spot.point = search_.picture.at(spot.row, spot.column);
     spot.place = placed(spot.point, search_.outlook);
     spot.axis = axis_;
-    spot.company = around(pixel, std::numeric_limits<float>::infinity());
+    spot.company = around(i, std::numeric_limits<float>::infinity());
     return spot;
   }
 
-  bool is_at_border(const NearPixel& pixel) const {
-    const Corridor& corridor = search_.outlook.corridor;
-    const bool of_picture = pixel.row <= found_.row_step || pixel.slot == 0 ||
-                            pixel.slot + std::size_t{1} == found_.slots ||
-                            pixel.row + found_.row_step + 1 >= search_.picture.height();
-    return of_picture || pixel.x < corridor.x_min + border || pixel.x > corridor.x_max - border ||
-           pixel.y < corridor.y_min + border;
+  bool is_at_border_of_picture(const Stretch& some) const {
+    const std::size_t row = found_.row_of(some.begin), first = found_.slot_of(some.begin);
+    const bool is_at_right = first + size_of(some) == found_.slots && is_pixel(some.end - 1);
+    return row <= found_.row_step || first == 0 || is_at_right || row + found_.row_step + 1 >= search_.picture.height();
   }
 
   const NearSearch& search_;

@@ -62,12 +62,7 @@ void Pixels::read(std::size_t row, std::size_t step, const Outlook& outlook, Pix
         }
       },
       reader_);
-  for (std::size_t i = 0; i < size; ++i) zs[i] = is_any(xs[i], ys[i], zs[i]) ? zs[i] : nothing.z;
-  if (!outlook.placement) return;
-  for (std::size_t i = 0; i < size; ++i) {
-    const Point place = outlook.placed(xs[i], ys[i], zs[i]);  // of NaN, NaN
-    xs[i] = place.x, ys[i] = place.y, zs[i] = place.z;
-  }
+  lines::place(into.pixels(), range_min_, outlook.placement, xs, ys, zs);
 }
 
 Point Pixels::near(std::ptrdiff_t row, std::ptrdiff_t column) const {

@@ -9,6 +9,7 @@
 #include "../input/point_reader.hpp"
 #include "../look/outlook.hpp"
 #include "../look/ray_lines.hpp"
+#include "kernel/lines.hpp"
 #include "ray_hits.hpp"
 #include "usual_cells.hpp"
 
@@ -17,6 +18,8 @@ namespace safety_control_cloud {
 /// Some pixels of one row, in the corridor's axes [m]; z is NaN where nothing returns.
 struct PixelRow {
   std::vector<float> x, y, z;
+
+  lines::PixelsOfRow pixels() const { return {x.data(), y.data(), z.data(), z.size()}; }
 };
 
 /// How a picture looks out.

@@ -5,31 +5,46 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <random>
 #include <set>
+#include <string>
+
+#include "../../../safety_control_cloud/core/look/kernel/scan.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
 constexpr float jump = 0.06f;
 
+using Index = NearPixels::Index;
+using Members = std::vector<Index>;
+
+/// The slots in which there is a pixel.
+Members pixels_in(const NearPixels& found, const std::vector<Stretch>& stretches) {
+  Members pixels;
+  for (const Stretch& some : stretches)
+    for (Index i = some.begin; i < some.end; ++i)
+      if (!std::isnan(found.ahead[i])) pixels.push_back(i);
+  return pixels;
+}
+
 /// Pixel by pixel, as it is said.
 struct Singly {
   const NearPixels& found;
-  std::vector<Index> thing;          ///< of each pixel, the first one of its thing
+  std::vector<Index> thing;          ///< of each slot, the first pixel of its thing
   std::vector<std::set<int>> sides;  ///< on which each touches another: 0 left, 1 right, 2 above, 3 below
 
-  explicit Singly(const NearPixels& pixels) : found(pixels), thing(pixels.pixels.size()), sides(thing.size()) {
+  explicit Singly(const NearPixels& pixels) : found(pixels), thing(pixels.ahead.size()), sides(thing.size()) {
     for (Index i = 0; i < thing.size(); ++i) thing[i] = i;
-    std::map<std::pair<int, int>, Index> at;
-    for (Index i = 0; i < thing.size(); ++i) at[{found.pixels[i].line, found.pixels[i].slot}] = i;
     const auto beside = [&](Index i, int down, int right) -> std::optional<Index> {
-      const auto there = at.find({found.pixels[i].line + down, found.pixels[i].slot + right});
-      if (there == at.end()) return std::nullopt;
-      const bool goes_on = std::abs(found.pixels[i].ahead - found.pixels[there->second].ahead) <= jump;
-      return goes_on ? std::optional(there->second) : std::nullopt;
+      const int line = static_cast<int>(found.line_of(i)) + down, slot = static_cast<int>(found.slot_of(i)) + right;
+      if (line < 0 || slot < 0 || slot >= static_cast<int>(found.slots)) return std::nullopt;
+      const auto there = static_cast<Index>(line * static_cast<int>(found.slots) + slot);
+      const bool goes_on = std::abs(found.ahead[i] - found.ahead[there]) <= jump;
+      return goes_on ? std::optional(there) : std::nullopt;
     };
     for (Index i = 0; i < thing.size(); ++i) {
       for (const int left : {-1, -2}) {
@@ -39,9 +54,8 @@ struct Singly {
         break;
       }
       for (const int up : {-1, -2}) {
-        const int line = found.pixels[i].line + up;
-        const std::size_t row = found.pixels[i].row;
-        if (line < 0 || row - found.rows[static_cast<std::size_t>(line)] > 2 * found.row_step) break;
+        const int line = static_cast<int>(found.line_of(i)) + up;
+        if (line < 0 || found.row_of(i) - found.rows[static_cast<std::size_t>(line)] > 2 * found.row_step) break;
         if (const auto over = beside(i, up, 0)) {
           join(i, *over, 2, 3);
           break;
@@ -77,18 +91,19 @@ NearPixels drawn(std::mt19937& random) {
     for (std::size_t slot = 0; slot < found.slots; ++slot) {
       if (share() < 0.1f) surface[slot] = 0.4f + 0.5f * share();
       if (slot > 0 && share() < 0.7f) surface[slot] = surface[slot - 1] + 0.1f * (share() - 0.5f);
-      if (slot != always && share() < holes) continue;
-      NearPixel pixel;
-      pixel.row = static_cast<std::uint16_t>(row), pixel.column = static_cast<std::uint16_t>(slot);
-      pixel.line = static_cast<std::uint16_t>(line), pixel.slot = static_cast<std::uint16_t>(slot);
-      pixel.ahead = surface[slot];
-      found.pixels.push_back(pixel);
+      const bool is_hole = slot != always && share() < holes;
+      found.ahead.push_back(is_hole ? std::numeric_limits<float>::quiet_NaN() : surface[slot]);
     }
   }
   return found;
 }
 
-TEST(Connected, AreThePixelsThatAreOnePixelByPixel) {
+class Connects : public testing::TestWithParam<std::string> {
+  void SetUp() override { use_instruction_set(GetParam()); }
+  void TearDown() override { use_instruction_set(""); }
+};
+
+TEST_P(Connects, ThePixelsThatAreOnePixelByPixel) {
   std::mt19937 random(20261123);
   std::size_t inner = 0, several = 0;
   for (int times = 0; times < 3000; ++times) {
@@ -96,19 +111,23 @@ TEST(Connected, AreThePixelsThatAreOnePixelByPixel) {
     const Singly expected(found);
     const Connected connected(found, jump);
     std::map<Index, Members> things;  // by the first of each
-    for (Index i = 0; i < expected.thing.size(); ++i) things[expected.thing[i]].push_back(i);
+    for (Index i = 0; i < expected.thing.size(); ++i)
+      if (!std::isnan(found.ahead[i])) things[expected.thing[i]].push_back(i);
     ASSERT_EQ(connected.things().size(), things.size()) << times;
     auto thing = connected.things().begin();
-    for (const auto& [first, members] : things) ASSERT_EQ(*thing++, members) << times;
+    for (const auto& [first, members] : things) ASSERT_EQ(pixels_in(found, *thing++), members) << times;
     for (Index i = 0; i < expected.sides.size(); ++i) {
-      ASSERT_EQ(connected.is_inner(i), expected.sides[i].size() == 4) << times;
-      inner += connected.is_inner(i);
+      ASSERT_EQ(connected.touched()[i] == lines::AllSides, expected.sides[i].size() == 4) << times;
+      inner += expected.sides[i].size() == 4;
     }
-    several += things.size() > 1 && things.size() < found.pixels.size();
+    several += things.size() > 1;
   }
   EXPECT_GT(inner, 1000u);
   EXPECT_GT(several, 1000u);
 }
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, Connects, testing::ValuesIn(instruction_sets()),
+                         [](const auto& info) { return info.param; });
 
 }  // namespace
 }  // namespace safety_control_cloud

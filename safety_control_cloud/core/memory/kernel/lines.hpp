@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "../../look/corridor.hpp"
+#include "../../look/placement.hpp"
+
+/// What is asked of all pixels of a row at once, in the vectors of the best instruction set of the machine; the same in
+/// all of them.
+namespace safety_control_cloud::lines {
+
+/// Some pixels of a row [m].
+struct PixelsOfRow {
+  const float *x, *y, *z;
+  std::size_t size;
+};
+
+/// Takes pixels of the cloud's frame to the corridor's axes; z is NaN where nothing returns, or nothing farther than
+/// `range_min` [m].
+void place(const PixelsOfRow& pixels, float range_min, const std::optional<Placement>& placement, float* x, float* y,
+           float* z);
+
+/// Seen from here, in the corridor's axes.
+struct Surrounding {
+  Corridor corridor;
+  Point camera;
+  float distance;  ///< [m] ahead of the camera; what is nearer is near
+};
+
+/// How far ahead of the camera each of the pixels is [m], if it is near and in the corridor, or else NaN; the nearest
+/// of all, or infinity.
+float find_near(const PixelsOfRow& pixels, const Surrounding& around, float* ahead);
+
+/// What a pixel shows of the near ground.
+enum Ground : std::int16_t {
+  ReturnsNothing = -3,
+  ReturnsElsewhere = -2,  ///< from farther away or from beside the corridor
+  ReturnsNear = -1,       ///< from something near, in the corridor
+  LeastGround = 0,        ///< from here on, near ground as many [mm] below the camera
+};
+
+/// Of each of the pixels; the greatest.
+int find_ground(const PixelsOfRow& pixels, const Surrounding& around, std::int16_t* ground);
+
+/// A line of slots, and two more to each side in which there is no pixel.
+struct LineOfSlots {
+  const float* ahead;        ///< [m] of each pixel; NaN where there is none
+  const std::uint32_t* run;  ///< of each pixel, and of a slot without one any
+};
+
+/// On which sides a pixel touches another one of its thing.
+enum Side : std::uint32_t { Left = 1, Right = 2, Above = 4, Below = 8, AllSides = 15 };
+
+/// Where a run of pixels begins that go on from each other in a line.
+enum Begin : std::uint8_t {
+  Begins = 1,
+  GoesOn = 2,  ///< but it is part of the run two slots back, with a pixel of another one between
+};
+
+/// Pixels go on from each other whose ranges differ by `jump` [m] at most: in a line each from the nearest to its left,
+/// one or two slots away. Into begins[0 ... slots - 1] and touched[0 ... slots - 1]; `back` is what it needs on its
+/// way, with two zeros behind the slots.
+void go_on_along(const LineOfSlots& line, std::size_t slots, float jump, int* back, std::uint8_t* begins,
+                 std::uint32_t* touched);
+
+/// From what a pixel goes on above it, in the line above or else in the next: from what is straight above, or else from
+/// what is beside that.
+enum Up : std::uint8_t {
+  RunAbove = 1,       ///< from the run that is straight above
+  RunNext = 2,        ///< from that of the next line
+  StraightAbove = 4,  ///< from that very pixel
+  StraightNext = 8,
+  OtherRun = 16,  ///< from another run, beside
+  IsOther = 32,   ///< its run, or one of those straight above, is another than in the slot before
+};
+
+/// Of each slot of some lines, on which sides it is.
+struct Touched {
+  std::uint32_t *line, *above, *next;
+};
+
+/// Into up[0 ... slots - 1].
+void go_on_up(const LineOfSlots& line, const LineOfSlots& above, const LineOfSlots& next, std::size_t slots, float jump,
+              std::uint8_t* up, const Touched& touched);
+
+/// Some slots of a line.
+struct SomeSlots {
+  const float *ahead, *x, *y;  ///< [m] of their pixels; NaN ahead where there is none
+  std::size_t size;
+};
+
+/// Of their pixels.
+struct InSlots {
+  std::size_t pixels = 0;
+  float nearest = std::numeric_limits<float>::infinity();  ///< [m] ahead
+  double squares = 0.0;                                    ///< [m2] the sum of those of how far they are ahead
+  bool beside = false;  ///< any is less far within the corridor than `border` [m] to the left, the right or the top
+};
+
+InSlots in_slots(const SomeSlots& some, const Corridor& corridor, float border);
+
+/// Where there is a pixel, its slot is the lowest so far; the first of these is `first`.
+void note_lowest(const SomeSlots& some, std::uint32_t first, std::uint32_t* lowest);
+
+/// Lists those of the slots [begin, end) that are touched on all sides, in their order; how many. Behind the last it
+/// may write as many more as the longest vector has lanes.
+std::size_t list_inner(const std::uint32_t* touched, std::uint32_t begin, std::uint32_t end, std::uint32_t* inner);
+constexpr std::size_t longest_vector = 64;
+
+}  // namespace safety_control_cloud::lines

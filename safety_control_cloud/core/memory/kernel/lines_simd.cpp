@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Plain loops without a branch, since which pixels return is as good as random; this file is compiled once for every
+// instruction set, and the compiler makes vectors of them.
+#include <cmath>
+#include <limits>
+
+#include "lines.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "lines_simd.cpp"
+// clang-format off
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+// clang-format on
+
+HWY_BEFORE_NAMESPACE();
+namespace safety_control_cloud::lines {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// So many side by side, with results of their own, since a compiler may not change the order in which floats are
+/// added or compared.
+constexpr std::size_t at_once = 8;
+
+float least_of(const float* values, std::size_t size) {
+  float least[at_once];
+  for (float& one : least) one = std::numeric_limits<float>::infinity();
+  std::size_t i = 0;
+  for (; i + at_once <= size; i += at_once)
+    for (std::size_t j = 0; j < at_once; ++j) least[j] = values[i + j] < least[j] ? values[i + j] : least[j];
+  for (; i < size; ++i) least[0] = values[i] < least[0] ? values[i] : least[0];
+  for (const float one : least) least[0] = one < least[0] ? one : least[0];
+  return least[0];
+}
+
+void place(const PixelsOfRow& pixels, float range_min, const std::optional<Placement>& placement, float* x, float* y,
+           float* z) {
+  const float *const from_x = pixels.x, *const from_y = pixels.y, *const from_z = pixels.z;
+  for (std::size_t i = 0; i < pixels.size; ++i) {
+    const float sum = 0.0f * from_x[i] + 0.0f * from_y[i] + 0.0f * from_z[i];  // of what is not finite, NaN
+    z[i] = (sum == 0.0f) & (from_z[i] > range_min) ? from_z[i] : std::numeric_limits<float>::quiet_NaN();
+  }
+  if (!placement) return;
+  const Placement rows = *placement;
+  for (std::size_t i = 0; i < pixels.size; ++i) {
+    const Point placed = rows(from_x[i], from_y[i], z[i]);  // of NaN, NaN
+    x[i] = placed.x, y[i] = placed.y, z[i] = placed.z;
+  }
+}
+
+float find_near(const PixelsOfRow& pixels, const Surrounding& around, float* ahead) {
+  const float *const x = pixels.x, *const y = pixels.y, *const z = pixels.z;
+  const float x_min = around.corridor.x_min, x_max = around.corridor.x_max;
+  const float y_min = around.corridor.y_min, y_max = around.corridor.y_max;
+  const float from = around.camera.z, farthest = around.distance;
+  for (std::size_t i = 0; i < pixels.size; ++i) {
+    const float there = z[i] - from;
+    const bool is_one = (there > 0.0f) & (there < farthest) & (z[i] > 0.0f) & (x[i] >= x_min) & (x[i] <= x_max) &
+                        (y[i] >= y_min) & (y[i] <= y_max);
+    ahead[i] = is_one ? there : std::numeric_limits<float>::quiet_NaN();
+  }
+  return least_of(ahead, pixels.size);
+}
+
+int find_ground(const PixelsOfRow& pixels, const Surrounding& around, std::int16_t* ground) {
+  const float *const x = pixels.x, *const y = pixels.y, *const z = pixels.z;
+  const float left = around.corridor.x_min, right = around.corridor.x_max;
+  const float top = around.corridor.y_min, bottom = around.corridor.y_max;
+  const float camera_y = around.camera.y, camera_z = around.camera.z, distance = around.distance;
+  int greatest = ReturnsNothing;
+  for (std::size_t i = 0; i < pixels.size; ++i) {
+    const float below = y[i] - camera_y, positive = below > 0.0f ? below : 0.0f;
+    const auto millimetres = static_cast<int>(0.5f + 1000.0f * (positive < 30.0f ? positive : 30.0f));
+    const bool ahead = (z[i] - camera_z < distance) & (z[i] > 0.0f);
+    const bool inside = (x[i] >= left) & (x[i] <= right) & (y[i] >= top);
+    const int here = y[i] <= bottom ? int{ReturnsNear} : millimetres;
+    const int shown = ahead & inside ? here : int{ReturnsElsewhere};
+    const int code = z[i] == z[i] ? shown : int{ReturnsNothing};
+    ground[i] = static_cast<std::int16_t>(code);
+    greatest = greatest > code ? greatest : code;
+  }
+  return greatest;
+}
+
+HWY_INLINE bool goes_on(float one, float other, float jump) { return std::fabs(one - other) <= jump; }
+
+void go_on_along(const LineOfSlots& line, std::size_t slots, float jump, int* back, std::uint8_t* begins,
+                 std::uint32_t* touched) {
+  const float* const ahead = line.ahead;
+  for (std::size_t i = 0; i < slots; ++i) {
+    const float* const here = ahead + i;
+    const bool one = goes_on(here[0], here[-1], jump), two = goes_on(here[0], here[-2], jump);
+    back[i] = (one ? 1 : 0) | (!one & two ? 2 : 0);
+  }
+  for (std::size_t i = 0; i < slots; ++i) {
+    const bool right = (back[i + 1] == 1) | (back[i + 2] == 2);
+    touched[i] = (back[i] != 0 ? Left : 0u) | (right ? Right : 0u);
+  }
+  for (std::size_t i = 0; i < slots; ++i) {
+    const float* const here = ahead + i;
+    const bool is_pixel = here[0] == here[0], parted = here[-1] == here[-1];
+    const int begun = (is_pixel & (back[i] == 0) ? int{Begins} : 0) | ((back[i] == 2) & parted ? Begins | GoesOn : 0);
+    begins[i] = static_cast<std::uint8_t>(begun);
+  }
+}
+
+HWY_INLINE int up_from(float here, const float* there, const std::uint32_t* run, float jump, int by_run, int straight) {
+  const bool over = goes_on(here, there[0], jump);
+  const bool left = !over & goes_on(here, there[-1], jump), right = !over & goes_on(here, there[1], jump);
+  const bool left_same = run[-1] == run[0], right_same = run[1] == run[0];
+  return (over ? by_run | straight : 0) | ((left & left_same) | (right & right_same) ? by_run : 0) |
+         ((left & !left_same) | (right & !right_same) ? int{OtherRun} : 0);
+}
+
+HWY_INLINE bool is_other(const std::uint32_t* run) { return run[0] != run[-1]; }
+
+/// As many slots at a time as a compiler needs to see that what it writes on the way is nothing that it reads.
+constexpr std::size_t part = 64;
+
+void go_on_up(const LineOfSlots& line, const LineOfSlots& above, const LineOfSlots& next, std::size_t slots, float jump,
+              std::uint8_t* up, const Touched& touched) {
+  int from[part], other[part];
+  for (std::size_t begin = 0; begin < slots; begin += part) {
+    const std::size_t size = slots - begin < part ? slots - begin : part;
+    const float* const here = line.ahead + begin;
+    const float *const over = above.ahead + begin, *const over_that = next.ahead + begin;
+    const std::uint32_t *const run = line.run + begin, *const run_above = above.run + begin;
+    const std::uint32_t* const run_next = next.run + begin;
+    for (std::size_t i = 0; i < size; ++i) {
+      const int by_above = up_from(here[i], over + i, run_above + i, jump, RunAbove, StraightAbove);
+      const int by_next = up_from(here[i], over_that + i, run_next + i, jump, RunNext, StraightNext);
+      from[i] = by_above != 0 ? by_above : by_next;
+    }
+    for (std::size_t i = 0; i < size; ++i)
+      other[i] = is_other(run + i) | is_other(run_above + i) | is_other(run_next + i) ? int{IsOther} : 0;
+    std::uint32_t *const of_line = touched.line + begin, *const of_above = touched.above + begin;
+    std::uint32_t* const of_next = touched.next + begin;
+    for (std::size_t i = 0; i < size; ++i) of_line[i] |= (from[i] & (StraightAbove | StraightNext)) != 0 ? Above : 0u;
+    for (std::size_t i = 0; i < size; ++i) of_above[i] |= (from[i] & StraightAbove) != 0 ? Below : 0u;
+    for (std::size_t i = 0; i < size; ++i) of_next[i] |= (from[i] & StraightNext) != 0 ? Below : 0u;
+    for (std::size_t i = 0; i < size; ++i) up[begin + i] = static_cast<std::uint8_t>(from[i] | other[i]);
+  }
+}
+
+InSlots in_slots(const SomeSlots& some, const Corridor& corridor, float border) {
+  const float left = corridor.x_min + border, right = corridor.x_max - border, top = corridor.y_min + border;
+  float nearest[at_once];
+  double squares[at_once] = {};
+  int pixels[at_once] = {}, beside[at_once] = {};
+  for (float& one : nearest) one = std::numeric_limits<float>::infinity();
+  const auto take = [&](std::size_t i, std::size_t j) {
+    const float ahead = some.ahead[i], x = some.x[i], y = some.y[i];
+    const bool is_pixel = ahead == ahead;
+    const double wide = double{is_pixel ? ahead : 0.0f};
+    nearest[j] = ahead < nearest[j] ? ahead : nearest[j];
+    squares[j] += wide * wide;
+    pixels[j] += is_pixel ? 1 : 0;
+    beside[j] |= is_pixel & ((x < left) | (x > right) | (y < top)) ? 1 : 0;
+  };
+  std::size_t i = 0;
+  for (; i + at_once <= some.size; i += at_once)
+    for (std::size_t j = 0; j < at_once; ++j) take(i + j, j);
+  for (; i < some.size; ++i) take(i, 0);
+  InSlots all;
+  for (std::size_t j = 0; j < at_once; ++j) {
+    all.nearest = nearest[j] < all.nearest ? nearest[j] : all.nearest;
+    all.squares += squares[j];
+    all.pixels += static_cast<std::size_t>(pixels[j]);
+    all.beside = all.beside || beside[j] != 0;
+  }
+  return all;
+}
+
+void note_lowest(const SomeSlots& some, std::uint32_t first, std::uint32_t* lowest) {
+  const float* const ahead = some.ahead;
+  const auto size = static_cast<std::uint32_t>(some.size);
+  for (std::uint32_t i = 0; i < size; ++i) lowest[i] = ahead[i] == ahead[i] ? first + i : lowest[i];
+}
+
+std::size_t list_inner(const std::uint32_t* touched, std::uint32_t begin, std::uint32_t end, std::uint32_t* inner) {
+  const hn::ScalableTag<std::uint32_t> tag;
+  constexpr std::size_t lanes = hn::MaxLanes(tag);
+  static_assert(lanes <= longest_vector);
+  std::size_t size = 0;
+  std::uint32_t i = begin;
+  for (; i + lanes <= end; i += static_cast<std::uint32_t>(lanes)) {
+    const auto is_inner = hn::Eq(hn::LoadU(tag, touched + i), hn::Set(tag, std::uint32_t{AllSides}));
+    size += hn::CompressStore(hn::Iota(tag, i), is_inner, tag, inner + size);
+  }
+  for (; i < end; ++i) {
+    inner[size] = i;
+    size += touched[i] == AllSides ? 1 : 0;
+  }
+  return size;
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace safety_control_cloud::lines
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace safety_control_cloud::lines {
+
+HWY_EXPORT(place);
+HWY_EXPORT(find_near);
+HWY_EXPORT(find_ground);
+HWY_EXPORT(go_on_along);
+HWY_EXPORT(go_on_up);
+HWY_EXPORT(in_slots);
+HWY_EXPORT(note_lowest);
+HWY_EXPORT(list_inner);
+
+void place(const PixelsOfRow& pixels, float range_min, const std::optional<Placement>& placement, float* x, float* y,
+           float* z) {
+  HWY_DYNAMIC_DISPATCH(place)(pixels, range_min, placement, x, y, z);
+}
+
+float find_near(const PixelsOfRow& pixels, const Surrounding& around, float* ahead) {
+  return HWY_DYNAMIC_DISPATCH(find_near)(pixels, around, ahead);
+}
+
+int find_ground(const PixelsOfRow& pixels, const Surrounding& around, std::int16_t* ground) {
+  return HWY_DYNAMIC_DISPATCH(find_ground)(pixels, around, ground);
+}
+
+void go_on_along(const LineOfSlots& line, std::size_t slots, float jump, int* back, std::uint8_t* begins,
+                 std::uint32_t* touched) {
+  HWY_DYNAMIC_DISPATCH(go_on_along)(line, slots, jump, back, begins, touched);
+}
+
+void go_on_up(const LineOfSlots& line, const LineOfSlots& above, const LineOfSlots& next, std::size_t slots, float jump,
+              std::uint8_t* up, const Touched& touched) {
+  HWY_DYNAMIC_DISPATCH(go_on_up)(line, above, next, slots, jump, up, touched);
+}
+
+InSlots in_slots(const SomeSlots& some, const Corridor& corridor, float border) {
+  return HWY_DYNAMIC_DISPATCH(in_slots)(some, corridor, border);
+}
+
+void note_lowest(const SomeSlots& some, std::uint32_t first, std::uint32_t* lowest) {
+  HWY_DYNAMIC_DISPATCH(note_lowest)(some, first, lowest);
+}
+
+std::size_t list_inner(const std::uint32_t* touched, std::uint32_t begin, std::uint32_t end, std::uint32_t* inner) {
+  return HWY_DYNAMIC_DISPATCH(list_inner)(touched, begin, end, inner);
+}
+
+}  // namespace safety_control_cloud::lines
+
+#endif
