@@ -46,6 +46,8 @@ double size_of(const std::vector<Spot>& spots);  ///< [m2]
 ///   is seen nearer.
 /// - While the camera looks another way than when a spot was seen, or turns, its picture says nothing of it.
 /// - What stands on the floor, in a column of the picture, has gone when the near floor is seen again in that column.
+///   So has a sliver without a foot of its own, if it is first seen as the edge of what hides the floor right beside it,
+///   or as the rest of what stood and leaves the picture or the corridor. What was seen to hang never stands so.
 class ThingsMemory {
  public:
   struct NearFloor {
@@ -78,6 +80,7 @@ class ThingsMemory {
 
  private:
   void follow(std::vector<Thing> seen);
+  bool is_of_what_stood(const Thing& now) const;
   void ask(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Axis& axis);
   void note_vanished(Remembered& thing, const Pixels& picture, float near);
   void unlearn_blind_range();
