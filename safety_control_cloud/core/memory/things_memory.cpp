@@ -19,6 +19,9 @@ constexpr unsigned clouds_to_go = 3;
 /// Nearly all of a thing, and a small part of one.
 constexpr double nearly = 0.85, few = 0.25;
 constexpr std::size_t most_lost = 240;  ///< spots of one thing
+/// So many clouds after it has left the picture a leg may swing back into it.
+constexpr unsigned lately = 10;
+constexpr std::size_t enough_of_it = 16;  ///< spots that tell where a thing stood
 /// Of the picture, at least 1/share is a fair extent.
 constexpr double fair_share = 500;
 
@@ -67,6 +70,7 @@ void ThingsMemory::scale_sizes(double by) {
 void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor, float near,
                           const Axis& axis) {
   follow(std::move(seen));
+  note_standing();
   unlearn_blind_range();
   const bool rest = !axis_ || are_same(*axis_, axis, rests);
   for (Remembered& thing : things_) {
@@ -116,12 +120,25 @@ void ThingsMemory::unlearn_blind_range() {
 }
 
 /// Of what is seen for the first time: whether it is the edge of what stands too near to be seen, or so little of what
-/// stood in the latest picture that it is not known for that.
+/// stood lately that it is not known for that.
 bool ThingsMemory::is_of_what_stood(const Thing& now) const {
   if (now.is_edge || now.stands || now.hangs) return now.is_edge || now.stands;
-  return std::any_of(things_.begin(), things_.end(), [&now](const Remembered& thing) {
-    return thing.stood && thing.is_seen() && likeness_of(now.spots, thing.seen.spots).share > nearly;
-  });
+  return std::any_of(stood_.begin(), stood_.end(),
+                     [&now](const Stood& one) { return likeness_of(now.spots, one.spots).share > nearly; });
+}
+
+/// What of the things that are seen stands, and for how long that is of use.
+void ThingsMemory::note_standing() {
+  for (Stood& one : stood_) --one.clouds;
+  stood_.erase(std::remove_if(stood_.begin(), stood_.end(), [](const Stood& one) { return one.clouds == 0; }),
+               stood_.end());
+  for (const Remembered& thing : things_) {
+    if (!thing.stood || !thing.is_seen()) continue;
+    Stood one{{}, lately};
+    for (std::size_t i = 0; i < thing.seen.spots.size(); i += 1 + thing.seen.spots.size() / enough_of_it)
+      one.spots.push_back(thing.seen.spots[i]);
+    stood_.push_back(std::move(one));
+  }
 }
 
 /// Which of the things that were seen are those that are seen now: the ones that have most in common.

@@ -160,6 +160,24 @@ TEST_P(HiddenEdges, RobotDrivesOnWhenALegHasLeftThePictureOfWhichASliverWasLeft)
   EXPECT_EQ(sees({}, 10).speed, 0.2);
 }
 
+TEST_P(HiddenEdges, RobotDrivesOnWhenALegHasSwungBackIntoThePictureByASliver) {
+  for (const int clouds_between : {1, 3, 8}) {
+    begins();
+    sees({column(250, height, 0.42f, 60)}, 3);
+    sees({}, clouds_between);
+    EXPECT_EQ(sees({column(319, 218, 0.46f)}).speed, 0.0);
+    EXPECT_EQ(sees({}, 10).speed, 0.2) << clouds_between;
+  }
+}
+
+TEST_P(HiddenEdges, CordThatComesIntoThePictureAtItsBorderLongAfterALegHasLeftStays) {
+  begins();
+  sees({column(250, height, 0.42f, 60)}, 3);
+  sees({}, 12);
+  sees({column(318, 112, 0.46f, 2)}, 3);
+  for (int i = 0; i < 60; ++i) ASSERT_EQ(sees({}).speed, 0.0) << i;
+}
+
 TEST_P(HiddenEdges, RobotDrivesOnWhenALegHasLeftTheCorridorOfWhichASliverWasLeft) {
   begins();
   sees({column(0, height, 0.57f, 60)}, 3);
