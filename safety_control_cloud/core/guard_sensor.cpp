@@ -82,8 +82,9 @@ std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origi
   if (const auto* placement = std::get_if<Placement>(&origin.placing))
     facing.placing = in_turned_frame(*placement, facing_);
   const auto outlook = outlook_of(straight_, origin.placing);
-  if (const auto* placed = std::get_if<Outlook>(&outlook)) around_.begin(*placed);
-  sensor_.see(reading, facing, now, Crop::Skip, [this](const Run& run) { around_.take(run); });
+  const auto* placed = std::get_if<Outlook>(&outlook);
+  const auto alongside = placed ? std::optional(around_.begin(*placed)) : std::nullopt;
+  sensor_.see(reading, facing, now, Crop::Skip, alongside ? &*alongside : nullptr);
   if (!std::holds_alternative<Seen>(sensor_.answer())) return std::nullopt;
   was_sound_ = true;
   return take(reading, origin, std::get<Outlook>(outlook), now, given);  // there is, or nothing were seen

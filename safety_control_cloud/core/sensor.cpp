@@ -30,9 +30,13 @@ Returned returned_in(const View& view, const Sight& counted) {
   return {counted.returns, counted.total, height_of(view) > 1};
 }
 
-void for_each_run(const View& view, const Alongside& visit) {
+void gather_all(const View& view, const Alongside& alongside) {
   const Runs runs(view);
-  for (std::size_t i = 0; i < runs.size(); ++i) visit(runs[i]);
+  Places places;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    gather(runs[i], alongside.outlook, alongside.region, places);
+    alongside.take(places);
+  }
 }
 
 }  // namespace
@@ -52,7 +56,7 @@ void Sensor::forget_losses() {
 }
 
 void Sensor::see(const Reading& reading, const Origin& origin, const Instant& now, Crop crop,
-                 const Alongside& alongside) {
+                 const Alongside* alongside) {
   last_arrival_ = now.steady;
   counted_ = Sight{};
   answer_ = answer_to(reading, origin, now, crop, alongside);
@@ -71,7 +75,7 @@ void Sensor::wait(const Instant& now) {
 }
 
 Answer Sensor::answer_to(const Reading& reading, const Origin& origin, const Instant& now, Crop crop,
-                         const Alongside& alongside) {
+                         const Alongside* alongside) {
   auto jump = clock_.note(now.ros);
   if (jump) stamps_.forget();
   if (auto doubt = sources_.note(origin.source, now.steady, settings_.source_timeout)) return *std::move(doubt);
@@ -84,12 +88,12 @@ Answer Sensor::answer_to(const Reading& reading, const Origin& origin, const Ins
 }
 
 Answer Sensor::look_at(const Reading& reading, const Outlook& outlook, const Origin& origin, double now, Crop crop,
-                       const Alongside& alongside) {
+                       const Alongside* alongside) {
   const View view = view_in(reading, settings_);
   const Rows rows = near_loss_.rows_for(view);
   if (settings_.method == Method::Pcl) {
     counted_ = passthrough(view, outlook, crop, rows);
-    if (alongside) for_each_run(view, alongside);
+    if (alongside) gather_all(view, *alongside);
   } else {
     counted_ = look_alongside(view, outlook, crop, rows, alongside);
   }

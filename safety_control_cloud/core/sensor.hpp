@@ -57,7 +57,7 @@ class Sensor {
 
   /// A reading has come, readable or not. `alongside`: what else is done with its points, if it is looked at.
   void see(const Reading& reading, const Origin& origin, const Instant& now, Crop crop = Crop::Skip,
-           const Alongside& alongside = nullptr);
+           const Alongside* alongside = nullptr);
 
   /// None has come until `now`.
   void wait(const Instant& now);
@@ -83,9 +83,9 @@ class Sensor {
 
  private:
   Answer answer_to(const Reading& reading, const Origin& origin, const Instant& now, Crop crop,
-                   const Alongside& alongside);
+                   const Alongside* alongside);
   Answer look_at(const Reading& reading, const Outlook& outlook, const Origin& origin, double now, Crop crop,
-                 const Alongside& alongside);
+                 const Alongside* alongside);
 
   Settings settings_;
   SourceWatch sources_;

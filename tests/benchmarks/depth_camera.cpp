@@ -11,7 +11,7 @@ namespace {
 
 constexpr char frame[] = "camera_depth_optical_frame";
 
-sensor_msgs::Image image_of(Picture picture) {
+sensor_msgs::Image image_of(CameraPicture picture) {
   picture.point_step = sizeof(float);  // no cloud then, but depths in metres
   sensor_msgs::Image image;
   image.header.frame_id = frame;
@@ -24,7 +24,7 @@ sensor_msgs::Image image_of(Picture picture) {
 }
 
 /// The lens that bytes_of() places its points by.
-sensor_msgs::CameraInfo info_of(const Picture& picture) {
+sensor_msgs::CameraInfo info_of(const CameraPicture& picture) {
   sensor_msgs::CameraInfo info;
   info.header.frame_id = frame;
   info.width = static_cast<std::uint32_t>(picture.width);

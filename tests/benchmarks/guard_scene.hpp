@@ -17,7 +17,7 @@
 namespace safety_control_cloud {
 
 inline sensor_msgs::PointCloud2 cloud_of(const std::string& frame) {
-  Picture picture;
+  CameraPicture picture;
   picture.point_step = 32;
   picture.nan_share = 0.3;
   auto message = message_of(picture);

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "clouds.hpp"
 #include "look_and_judge.hpp"
 #include "read_bytes.hpp"
 #include "scene_message.hpp"
@@ -12,31 +13,8 @@
 namespace safety_control_cloud {
 namespace {
 
-/// "fresh": a cloud that is in no cache, as a camera's next cloud is; "cached": the same cloud again and again.
-constexpr std::size_t more_than_any_cache = std::size_t{256} << 20;  // [byte]
-
-/// Copies of a cloud, one after the other.
-class Clouds {
- public:
-  Clouds(const Picture& picture, bool fresh)
-      : picture_(picture), fresh_(fresh), count_(fresh ? more_than_any_cache / picture.size() + 2 : 1) {
-    const auto bytes = bytes_of(picture);
-    memory_.reserve(count_ * bytes.size());
-    for (std::size_t i = 0; i < count_; ++i) memory_.insert(memory_.end(), bytes.begin(), bytes.end());
-  }
-
-  bool are(const Picture& picture, bool fresh) const { return fresh == fresh_ && picture == picture_; }
-  const std::uint8_t* next() { return memory_.data() + turn_++ % count_ * picture_.size(); }
-
- private:
-  Picture picture_;
-  bool fresh_;
-  std::size_t count_, turn_ = 0;
-  std::vector<std::uint8_t> memory_;
-};
-
 /// The latest ones stay, because the library calls every benchmark several times.
-Clouds& clouds_of(const Picture& picture, bool fresh) {
+Clouds& clouds_of(const CameraPicture& picture, bool fresh) {
   static std::unique_ptr<Clouds> latest;
   if (!latest || !latest->are(picture, fresh)) {
     latest.reset();
@@ -45,31 +23,31 @@ Clouds& clouds_of(const Picture& picture, bool fresh) {
   return *latest;
 }
 
-void read(benchmark::State& state, const Picture& picture, bool fresh) {
+void read(benchmark::State& state, const CameraPicture& picture, bool fresh) {
   Clouds& clouds = clouds_of(picture, fresh);
   for (auto _ : state) benchmark::DoNotOptimize(read_bytes(clouds.next(), picture.size()));
 }
 
-void one_pass(benchmark::State& state, const Picture& picture, bool fresh) {
+void one_pass(benchmark::State& state, const CameraPicture& picture, bool fresh) {
   Clouds& clouds = clouds_of(picture, fresh);
   for (auto _ : state) benchmark::DoNotOptimize(look(view_of(picture, clouds.next()), Corridor{}));
 }
 
 /// Before, every pixel returned once: those that do not now may have lost something near.
-void remember(benchmark::State& state, const Picture& picture, const Placement* placement) {
+void remember(benchmark::State& state, const CameraPicture& picture, const Placement* placement) {
   Clouds& clouds = clouds_of(picture, true);
   NearLoss near_loss{NearLossLimits{}};
   const auto judge = [&](const std::uint8_t* bytes) {
     return look_and_judge(view_of(picture, bytes), near_loss, placement);
   };
-  Picture before = picture;
+  CameraPicture before = picture;
   before.nan_share = 0.0;
   judge(bytes_of(before).data());
   for (auto _ : state) benchmark::DoNotOptimize(judge(clouds.next()));
 }
 
-const sensor_msgs::PointCloud2& latest_message_of(const Picture& picture) {
-  static Picture shown;
+const sensor_msgs::PointCloud2& latest_message_of(const CameraPicture& picture) {
+  static CameraPicture shown;
   static sensor_msgs::PointCloud2 latest;
   if (latest.data.empty() || !(shown == picture)) {
     latest = message_of(picture);
@@ -79,7 +57,7 @@ const sensor_msgs::PointCloud2& latest_message_of(const Picture& picture) {
 }
 
 template <auto Look>
-void by_pcl(benchmark::State& state, const Picture& picture) {
+void by_pcl(benchmark::State& state, const CameraPicture& picture) {
   const auto& message = latest_message_of(picture);
   for (auto _ : state) benchmark::DoNotOptimize(Look(message));
 }
@@ -89,7 +67,7 @@ void add(const std::string& name, Run run) {
   benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMillisecond);
 }
 
-void add_fresh(const Picture& picture, const std::string& what) {
+void add_fresh(const CameraPicture& picture, const std::string& what) {
   static const Placement in_another_frame;
   add("read_fresh" + what, [=](benchmark::State& state) { read(state, picture, true); });
   add("one_pass_fresh" + what, [=](benchmark::State& state) { one_pass(state, picture, true); });
@@ -97,7 +75,7 @@ void add_fresh(const Picture& picture, const std::string& what) {
   add("near_loss_placed" + what, [=](benchmark::State& state) { remember(state, picture, &in_another_frame); });
 }
 
-void add_cloud(const Picture& picture) {
+void add_cloud(const CameraPicture& picture) {
   const std::string what = "/" + std::to_string(picture.width) + "x" + std::to_string(picture.height) + "/step_" +
                            std::to_string(picture.point_step) + "/" + picture.scene + "/nan_" +
                            std::to_string(std::lround(100.0 * picture.nan_share));

@@ -36,7 +36,7 @@ int describe() {
 int main(int argc, char** argv) {
   if (argc == 1) return describe();
   if (argc != 4) return 2;
-  Picture picture;
+  CameraPicture picture;
   picture.scene = "mixed";
   picture.nan_share = 0.3;
   picture.point_step = static_cast<std::size_t>(std::strtoul(argv[1], nullptr, 10));
@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
   NearLossLimits limits;
   if (argv[3] != std::string("near_loss")) limits.distance = 0.0;
   NearLoss near_loss(limits);
-  Picture before = picture;
+  CameraPicture before = picture;
   before.nan_share = 0.0;
   const auto all_return = bytes_of(before), some_do_not = bytes_of(picture);
   look_and_judge(view_of(before, all_return.data()), near_loss);

@@ -15,7 +15,7 @@ namespace safety_control_cloud {
 
 /// What a camera of the benchmark shows.
 struct Plan {
-  Picture picture;
+  CameraPicture picture;
   double rate;                   ///< [Hz] at most: the next cloud waits for the answer to the last
   int warm_up, clouds;           ///< those before the measured ones, and those
   std::vector<pid_t> processes;  ///< whose CPU time is measured

@@ -7,7 +7,7 @@
 
 namespace safety_control_cloud {
 
-inline sensor_msgs::PointCloud2 message_of(const Picture& picture) {
+inline sensor_msgs::PointCloud2 message_of(const CameraPicture& picture) {
   sensor_msgs::PointCloud2 message;
   message.header.frame_id = "camera_depth_optical_frame";
   message.width = static_cast<std::uint32_t>(picture.width);

@@ -15,14 +15,14 @@ namespace safety_control_cloud {
 
 /// What a depth camera of 60 degrees sends: a cloud with x, y, z at the start of every point, or where a point has no
 /// room for them a depth image, in millimetres (2 bytes) or in metres (4 bytes).
-struct Picture {
+struct CameraPicture {
   std::size_t width = 640, height = 480, point_step = 16;
   double nan_share = 0.0;         ///< points that do not return
   std::string scene = "wall_2m";  ///< or wall_0.6m, mixed: a floor, a wall and boxes
 
   std::size_t size() const { return width * height * point_step; }                            ///< [byte]
   double focal() const { return static_cast<double>(width) / (2.0 * std::tan(M_PI / 6.0)); }  ///< [px]
-  bool operator==(const Picture& other) const {
+  bool operator==(const CameraPicture& other) const {
     return width == other.width && height == other.height && point_step == other.point_step &&
            nan_share == other.nan_share && scene == other.scene;
   }
@@ -38,7 +38,7 @@ inline double depth_in(const std::string& scene, double a, double b) {
 }
 
 /// Stores a point with this depth [m], or NaN, the way that the picture stores one.
-inline void put(double z, double right, double down, const Picture& picture, std::uint8_t* to) {
+inline void put(double z, double right, double down, const CameraPicture& picture, std::uint8_t* to) {
   const auto millimetres = static_cast<std::uint16_t>(std::isnan(z) ? 0 : std::lround(1000.0 * z));
   const auto metres = static_cast<float>(z);
   const float xyz[] = {static_cast<float>(right * z), static_cast<float>(down * z), metres};
@@ -51,7 +51,7 @@ inline void put(double z, double right, double down, const Picture& picture, std
   }
 }
 
-inline std::vector<std::uint8_t> bytes_of(const Picture& picture) {
+inline std::vector<std::uint8_t> bytes_of(const CameraPicture& picture) {
   std::vector<std::uint8_t> bytes(picture.size());
   std::minstd_rand random(7);
   const auto share = [&] { return static_cast<double>(random()) / static_cast<double>(std::minstd_rand::max()); };
@@ -69,7 +69,7 @@ inline std::vector<std::uint8_t> bytes_of(const Picture& picture) {
   return bytes;
 }
 
-inline DepthView depth_view_of(const Picture& picture, const std::uint8_t* bytes) {
+inline DepthView depth_view_of(const CameraPicture& picture, const std::uint8_t* bytes) {
   DepthView view;
   view.bytes = bytes;
   view.width = picture.width;
@@ -81,7 +81,7 @@ inline DepthView depth_view_of(const Picture& picture, const std::uint8_t* bytes
   return view;
 }
 
-inline View view_of(const Picture& picture, const std::uint8_t* bytes) {
+inline View view_of(const CameraPicture& picture, const std::uint8_t* bytes) {
   if (picture.point_step < 3 * sizeof(float)) return depth_view_of(picture, bytes);
   CloudView view;
   view.bytes = bytes;

@@ -33,26 +33,16 @@ class Cells {
 
  private:
   using Cell = std::int32_t;
-  using Least = std::array<float, 4>;  ///< of the returns of a cell: x, -x, y and -y [m]
+  using Least = float __attribute__((vector_size(16)));  ///< of the returns of a cell: x, y, -x and -y [m]
 
-  /// Whose cells begin at `first`, row by row.
-  struct Grid {
-    float extent, per_metre;
-    std::int32_t side;
-    Cell first;
-  };
+  void include(Cell cell, float x, float y);
 
-  void find_cells(const Places& places);
-  void include(std::size_t i);
-
-  std::vector<Grid> grids_;
+  std::vector<CellGrid> grids_;
   std::vector<Least> least_;           ///< of each cell
   std::vector<std::uint32_t> counts_;  ///< of its returns
   std::vector<Cell> used_;             ///< those that have any, as they came
   std::size_t used_size_ = 0;
-  // Of a run.
-  std::array<float, Runs::longest> x_, y_;
-  std::array<Cell, Runs::longest> cell_;
+  CellNumbers cell_;  ///< of a run's places
 };
 
 }  // namespace safety_control_cloud

@@ -35,15 +35,14 @@ Surroundings::Surroundings(const Outline& outline, Band band)
   region_ = region_of(band_, rings_.back().extent);
 }
 
-void Surroundings::begin(const Outlook& outlook) {
-  outlook_ = outlook;
+Alongside Surroundings::begin(const Outlook& outlook) {
   cells_.clear();
+  return {outlook, region_, [this](Places& places) { take(places); }};
 }
 
-void Surroundings::take(const Run& run) {
-  gather(run, outlook_, region_, places_);
-  if (!band_.self.empty()) leave_out_own();
-  cells_.add(places_);
+void Surroundings::take(Places& places) {
+  if (!band_.self.empty()) leave_out_own(places);
+  cells_.add(places);
 }
 
 void Surroundings::finish() {
@@ -54,14 +53,14 @@ void Surroundings::finish() {
   }
 }
 
-void Surroundings::leave_out_own() {
+void Surroundings::leave_out_own(Places& places) const {
   std::size_t size = 0;
-  for (std::size_t i = 0; i < places_.size; ++i) {
-    const float x = places_.x[i], y = places_.y[i], z = places_.z[i];
-    places_.x[size] = x, places_.y[size] = y, places_.z[size] = z;
+  for (std::size_t i = 0; i < places.size; ++i) {
+    const float x = places.x[i], y = places.y[i], z = places.z[i];
+    places.x[size] = x, places.y[size] = y, places.z[size] = z;
     size += is_own(band_.self, z, -x, -y) ? 0 : 1;
   }
-  places_.size = size;
+  places.size = size;
 }
 
 }  // namespace safety_control_cloud

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "../input/runs.hpp"
 #include "../look/outlook.hpp"
 #include "../look/places.hpp"
 #include "../path/obstacles.hpp"
@@ -26,17 +25,15 @@ struct Ring {
   std::size_t returns = 0;  ///< that they stand for
 };
 
-/// What one look shows around the robot, from above, at its places when it was taken. One pass over the points, into
-/// memory of one's own: in runs, so that it goes alongside another's.
+/// What one look shows around the robot, from above, at its places when it was taken. One pass over the points, which
+/// is another's too, into memory of one's own.
 class Surroundings {
  public:
   Surroundings(const Outline& outline, Band band);
 
-  /// A look begins, of a camera that is placed so in base_frame.
-  void begin(const Outlook& outlook);
-
-  /// The next run of its points.
-  void take(const Run& run);
+  /// A look begins, of a camera that is placed so in base_frame. What is to go alongside it, for as long as this is
+  /// where it is.
+  Alongside begin(const Outlook& outlook);
 
   /// All that was taken since it began is what is around the robot from now on; what was before is forgotten.
   void finish();
@@ -45,12 +42,11 @@ class Surroundings {
   const std::vector<Ring>& rings() const { return rings_; }
 
  private:
-  void leave_out_own();
+  void take(Places& places);
+  void leave_out_own(Places& places) const;
 
   Band band_;
   Region region_;
-  Outlook outlook_;
-  Places places_;  ///< of a run
   Cells cells_;
   std::vector<Ring> rings_;
 };

@@ -37,6 +37,19 @@ Counts scan_and_take(const Runs& runs, const Outlook& outlook, float* nearest, T
   return all;
 }
 
+/// The same with something alongside.
+template <class Take>
+Counts scan_alongside(const Runs& runs, const Outlook& outlook, float* nearest, const Alongside& alongside, Take take) {
+  Counts all;
+  Places places;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    all += scan_and_gather(runs, i, outlook, nearest, alongside.outlook, alongside.region, places);
+    alongside.take(places);
+    take(i);
+  }
+  return all;
+}
+
 void add_inside(const Run& run, const Outlook& outlook, Cloud& crop) {
   for_each_inside(run, outlook, [&](float x, float y, float z) { crop.points.emplace_back(x, y, z); });
   crop.width = static_cast<std::uint32_t>(crop.size());
@@ -88,16 +101,16 @@ Sight look(const View& view, const Outlook& outlook, Crop crop, Rows rows) {
   return look_alongside(view, outlook, crop, rows, nullptr);
 }
 
-Sight look_alongside(const View& view, const Outlook& outlook, Crop crop, Rows rows, const Alongside& alongside) {
+Sight look_alongside(const View& view, const Outlook& outlook, Crop crop, Rows rows, const Alongside* alongside) {
   const Runs runs(view, rows);
   std::vector<float> nearest(runs.size());
   const Cloud::Ptr points(crop == Crop::Keep ? new Cloud(0, 1) : nullptr);
   const auto take = [&](std::size_t i) {
     if (points && nearest[i] < infinity) add_inside(runs[i], outlook, *points);
-    if (alongside) alongside(runs[i]);
   };
-  const Counts counts = points || alongside ? scan_and_take(runs, outlook, nearest.data(), take)
-                                            : scan(runs, 0, runs.size(), outlook, nearest.data());
+  const Counts counts = alongside ? scan_alongside(runs, outlook, nearest.data(), *alongside, take)
+                        : points  ? scan_and_take(runs, outlook, nearest.data(), take)
+                                  : scan(runs, 0, runs.size(), outlook, nearest.data());
   Sight sight;
   sight.nearest = nearest_in(runs, nearest, counts, outlook);
   sight.inside = counts.inside;

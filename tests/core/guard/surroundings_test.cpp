@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "../../../safety_control_cloud/core/look/look.hpp"
 #include "../../../safety_control_cloud/core/look/meaning.hpp"
 #include "../input/cloud_builder.hpp"
 #include "../path/footprints.hpp"
@@ -16,9 +17,8 @@ namespace safety_control_cloud {
 namespace {
 
 void look(Surroundings& seen, const std::vector<Xyz>& points, const Outlook& outlook) {
-  const Runs runs(view_of(points));
-  seen.begin(outlook);
-  for (std::size_t i = 0; i < runs.size(); ++i) seen.take(runs[i]);
+  const Alongside alongside = seen.begin(outlook);
+  look_alongside(view_of(points), outlook, Crop::Skip, Rows::Joined, &alongside);
   seen.finish();
 }
 

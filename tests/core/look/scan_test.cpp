@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <random>
 
 #include "../../../safety_control_cloud/core/input/point_reader.hpp"
 #include "../../../safety_control_cloud/core/look/meaning.hpp"
@@ -124,18 +126,61 @@ TEST_P(InstructionSet, AskingForTheCropDoesNotChangeWhatIsSeen) {
   }
 }
 
-TEST_P(InstructionSet, WhatGoesAlongsideTakesEachRunAndChangesNothing) {
+bool same_places(const Places& one, const Places& other) {
+  const auto same = [&](const auto& a, const auto& b) { return std::equal(a.data(), a.data() + one.size, b.data()); };
+  return one.size == other.size && same(one.x, other.x) && same(one.y, other.y) && same(one.z, other.z);
+}
+
+TEST_P(InstructionSet, WhatGoesAlongsideIsGatheredRunByRunAndChangesNothing) {
+  const Region region{-1.5f, 1.0f, -0.6f, 0.3f, -2.5f, 3.0f};
   for (std::uint64_t seed = 0; seed < clouds / 10; ++seed) {
-    const RandomCloud cloud(seed);
-    const Outlook outlook(cloud.corridor, cloud.placement);
-    std::vector<std::size_t> firsts, expected;
+    const RandomCloud cloud(seed), another(seed + 1);
+    const Outlook outlook(cloud.corridor, cloud.placement), other(another.corridor, another.placement);
     const Runs runs(cloud.view, cloud.rows);
-    for (std::size_t i = 0; i < runs.size(); ++i) expected.push_back(runs[i].first);
-    const Sight with = look_alongside(cloud.view, outlook, Crop::Keep, cloud.rows,
-                                      [&firsts](const auto& run) { firsts.push_back(run.first); });
+    std::size_t taken = 0;
+    const Alongside alongside{other, region, [&](const Places& places) {
+                                Places expected;
+                                gather(runs[taken++], other, region, expected);
+                                EXPECT_TRUE(same_places(places, expected)) << "seed " << seed;
+                              }};
+    const Sight with = look_alongside(cloud.view, outlook, Crop::Keep, cloud.rows, &alongside);
     ASSERT_TRUE(same(with, look(cloud.view, outlook, Crop::Keep, cloud.rows))) << "seed " << seed;
-    ASSERT_EQ(firsts, expected) << "seed " << seed;
+    ASSERT_EQ(taken, runs.size()) << "seed " << seed;
   }
+}
+
+/// Of the smallest of the grids that holds a place.
+std::int32_t cell_of(float x, float y, const std::vector<CellGrid>& grids) {
+  for (const CellGrid& grid : grids) {
+    if (!(std::abs(x) < grid.extent && std::abs(y) < grid.extent)) continue;
+    const auto column = static_cast<std::int32_t>((x + grid.extent) * grid.per_metre);
+    return grid.first + static_cast<std::int32_t>((y + grid.extent) * grid.per_metre) * grid.side + column;
+  }
+  return in_no_cell;
+}
+
+TEST_P(InstructionSet, FindsTheCellInWhichEachPlaceLies) {
+  const std::vector<CellGrid> grids = {{0.4f, 250.0f, 201, 1}, {1.3f, 90.0f, 235, 40402}, {4.0f, 32.0f, 257, 95627}};
+  std::mt19937 random(20261124);
+  const std::vector<float> odd = {nan, inf, -inf, 0.0f, 0.4f, -0.4f, 1.3f, -4.0f, 1e30f, -1e-45f};
+  std::size_t held = 0;
+  for (int times = 0; times < 1000; ++times) {
+    Places places;
+    places.size = random() % (Runs::longest + 1);
+    std::uniform_real_distribution<float> anywhere(-1.0f, 1.0f);
+    const float far = std::array<float, 3>{0.5f, 1.5f, 5.0f}[random() % 3];
+    for (std::size_t i = 0; i < places.size; ++i) {
+      places.x[i] = random() % 16 == 0 ? odd[random() % odd.size()] : far * anywhere(random);
+      places.z[i] = random() % 16 == 0 ? odd[random() % odd.size()] : far * anywhere(random);
+    }
+    CellNumbers cells;
+    find_cells(places, grids, cells);
+    for (std::size_t i = 0; i < places.size; ++i) {
+      ASSERT_EQ(cells[i], cell_of(places.z[i], -places.x[i], grids)) << places.z[i] << ", " << -places.x[i];
+      held += cells[i] != in_no_cell;
+    }
+  }
+  EXPECT_GT(held, 100000u);
 }
 
 TEST_P(InstructionSet, OfAManyEquallyNearPointsTheFirstIsTheNearest) {

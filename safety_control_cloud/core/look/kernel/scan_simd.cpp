@@ -16,6 +16,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 #include "found-inl.hpp"
+#include "gathering-inl.hpp"
 #include "runs-inl.hpp"
 #include "tally-inl.hpp"
 // clang-format on
@@ -105,37 +106,19 @@ struct Listing {
   }
 };
 
-/// Lists where the returns in a region lie.
-template <class Placing>
-struct Gathering {
-  static constexpr std::size_t at_once = lanes;
-
-  Walls walls;
-  Bounds bounds;
-  Placing place;
-  Places* found;
-  std::size_t size = 0;
-
-  HWY_INLINE Gathering(const Outlook& outlook, const Region& region, Places& places)
-      : walls(outlook.corridor), bounds(region), place(outlook), found(&places) {}
-
-  HWY_INLINE void go_on_from(const Gathering& other) { size = other.size; }
-
-  template <class Source>
-  HWY_INLINE void take(const Source& source, std::size_t from, std::size_t) {
-    const Points points = source.at(from), placed = place(points);
-    const Mask within = hn::And(is_return(points, walls), bounds.hold(placed));
-    if (hn::AllFalse(Floats(), within)) return;
-    hn::CompressStore(placed.x, within, Floats(), found->x.data() + size);
-    hn::CompressStore(placed.y, within, Floats(), found->y.data() + size);
-    size += hn::CompressStore(placed.z, within, Floats(), found->z.data() + size);
-  }
-};
-
 std::size_t too_close_in(const Run& run, const Outlook& outlook) {
   CountingTooClose counting(outlook);
   visit_run(run, counting);
   return counting.too_close.total();
+}
+
+/// How many points of the run that has been visited are too close, and the nearest of those inside.
+template <class Placing>
+HWY_INLINE std::size_t end_run(const Counting<Placing>& counting, const Run& run, const Outlook& outlook,
+                               float& nearest) {
+  nearest = hn::GetLane(hn::MinOfLanes(Floats(), counting.nearest));
+  const bool any_too_close = hn::GetLane(hn::MinOfLanes(Floats(), counting.lowest)) == -infinity;
+  return any_too_close ? too_close_in(run, outlook) : 0;
 }
 
 template <class Placing>
@@ -146,9 +129,7 @@ Counts scan_placing(const Runs& runs, std::size_t begin, std::size_t end, const 
     const Run run = runs[i];
     counting.start_run();
     visit_run(run, counting);
-    nearest[i] = hn::GetLane(hn::MinOfLanes(Floats(), counting.nearest));
-    const bool any_too_close = hn::GetLane(hn::MinOfLanes(Floats(), counting.lowest)) == -infinity;
-    if (any_too_close) too_close += too_close_in(run, outlook);
+    too_close += end_run(counting, run, outlook, nearest[i]);
   }
   return {counting.returns.total(), counting.inside.total(), too_close};
 }
@@ -183,6 +164,17 @@ void gather(const Run& run, const Outlook& outlook, const Region& region, Places
                     : gather_placing<Unplaced>(run, outlook, region, places);
 }
 
+/// Of two that are placed.
+Counts scan_and_gather(const Run& run, const Outlook& outlook, float& nearest, const Outlook& other,
+                       const Region& region, Places& places) {
+  Both<Counting<Placed>, Gathering<Placed>> both{Counting<Placed>(outlook), Gathering<Placed>(other, region, places)};
+  visit_run(run, both);
+  places.size = both.second.size;
+  const auto& counting = both.first;
+  const std::size_t too_close = end_run(counting, run, outlook, nearest);
+  return {counting.returns.total(), counting.inside.total(), too_close};
+}
+
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace safety_control_cloud
@@ -195,6 +187,8 @@ namespace safety_control_cloud {
 HWY_EXPORT(scan);
 HWY_EXPORT(inside_of);
 HWY_EXPORT(gather);
+HWY_EXPORT(scan_and_gather);
+HWY_EXPORT(find_cells);
 
 Counts scan(const Runs& runs, std::size_t begin, std::size_t end, const Outlook& outlook, float* nearest) {
   return HWY_DYNAMIC_DISPATCH(scan)(runs, begin, end, outlook, nearest);
@@ -204,6 +198,18 @@ Inside inside_of(const Run& run, const Outlook& outlook) { return HWY_DYNAMIC_DI
 
 void gather(const Run& run, const Outlook& outlook, const Region& region, Places& places) {
   HWY_DYNAMIC_DISPATCH(gather)(run, outlook, region, places);
+}
+
+Counts scan_and_gather(const Runs& runs, std::size_t i, const Outlook& outlook, float* nearest, const Outlook& other,
+                       const Region& region, Places& places) {
+  if (outlook.placement && other.placement)  // as a robot's cameras are
+    return HWY_DYNAMIC_DISPATCH(scan_and_gather)(runs[i], outlook, nearest[i], other, region, places);
+  gather(runs[i], other, region, places);
+  return scan(runs, i, i + 1, outlook, nearest);
+}
+
+void find_cells(const Places& places, const std::vector<CellGrid>& grids, CellNumbers& cells) {
+  HWY_DYNAMIC_DISPATCH(find_cells)(places, grids, cells);
 }
 
 std::vector<std::string> instruction_sets() {

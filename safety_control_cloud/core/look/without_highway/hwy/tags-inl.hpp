@@ -99,6 +99,10 @@ HWY_INLINE Vec<Tag> LoadU(Tag, const void* from) {
   }
 }
 template <class Tag>
+HWY_INLINE void StoreU(Vec<Tag> v, Tag, LaneOf<Tag>* to) {
+  std::memcpy(to, &v, sizeof(v));
+}
+template <class Tag>
 HWY_INLINE Vec<Tag> Load(Tag tag, const LaneOf<Tag>* from) {
   return LoadU(tag, from);
 }

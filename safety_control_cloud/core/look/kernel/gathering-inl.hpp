@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where returns lie, and in which cells; part of scan_simd.cpp, compiled once for every instruction set.
+#if defined(SAFETY_CONTROL_CLOUD_GATHERING_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef SAFETY_CONTROL_CLOUD_GATHERING_INL
+#undef SAFETY_CONTROL_CLOUD_GATHERING_INL
+#else
+#define SAFETY_CONTROL_CLOUD_GATHERING_INL
+#endif
+
+#include <cstddef>
+#include <vector>
+
+#include "found-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace safety_control_cloud {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// Lists where the returns in a region lie.
+template <class Placing>
+struct Gathering {
+  static constexpr std::size_t at_once = lanes;
+
+  Walls walls;
+  Bounds bounds;
+  Placing place;
+  Places* found;
+  std::size_t size = 0;
+
+  HWY_INLINE Gathering(const Outlook& outlook, const Region& region, Places& places)
+      : walls(outlook.corridor), bounds(region), place(outlook), found(&places) {}
+
+  template <class Source>
+  HWY_INLINE void take(const Source& points, std::size_t column, std::size_t) {
+    note(points.at(column));
+  }
+
+  HWY_INLINE void note(const Points& points) {
+    const Points placed = place(points);
+    const Mask within = hn::And(is_return(points, walls), bounds.hold(placed));
+    if (hn::AllFalse(Floats(), within)) return;
+    hn::CompressStore(placed.x, within, Floats(), found->x.data() + size);
+    hn::CompressStore(placed.y, within, Floats(), found->y.data() + size);
+    size += hn::CompressStore(placed.z, within, Floats(), found->z.data() + size);
+  }
+};
+
+/// Two visitors of the same points, which are loaded once.
+template <class First, class Second>
+struct Both {
+  static constexpr std::size_t at_once = lanes;
+
+  First first;
+  Second second;
+
+  template <class Source>
+  HWY_INLINE void take(const Source& source, std::size_t column, std::size_t) {
+    const Points points = source.at(column);
+    first.note(points);
+    second.note(points);
+  }
+};
+
+/// A grid in every lane.
+struct Columns {
+  Float extent, per_metre;
+
+  explicit HWY_INLINE Columns(const CellGrid& grid) : extent(all(grid.extent)), per_metre(all(grid.per_metre)) {}
+
+  HWY_INLINE Mask hold(Float along) const {
+    return hn::And(hn::Gt(along, hn::Sub(hn::Zero(Floats()), extent)), hn::Lt(along, extent));
+  }
+  /// A whole number, as a float.
+  HWY_INLINE Float at(Float along, Mask held) const {
+    const Float inside = hn::IfThenElse(held, hn::Add(along, extent), hn::Zero(Floats()));
+    return hn::ConvertTo(Floats(), hn::ConvertTo(Signed(), hn::Mul(inside, per_metre)));
+  }
+};
+
+/// The largest grid first, so that a smaller one has the last word. Floats hold the numbers of cells: not every machine
+/// multiplies vectors of integers.
+void find_cells(const Places& places, const std::vector<CellGrid>& grids, CellNumbers& cells) {
+  for (std::size_t i = 0; i < places.size; i += lanes) {
+    const Float x = hn::LoadU(Floats(), places.z.data() + i);
+    const Float y = hn::Sub(hn::Zero(Floats()), hn::LoadU(Floats(), places.x.data() + i));
+    auto cell = hn::Zero(Signed());
+    for (auto grid = grids.rbegin(); grid != grids.rend(); ++grid) {
+      const Columns columns(*grid);
+      const Mask held = hn::And(columns.hold(x), columns.hold(y));
+      if (hn::AllFalse(Floats(), held)) break;
+      const Float rows = hn::Mul(columns.at(y, held), all(static_cast<float>(grid->side)));
+      const auto in_grid = hn::ConvertTo(Signed(), hn::Add(rows, columns.at(x, held)));
+      const auto number = hn::Add(in_grid, hn::Set(Signed(), grid->first));
+      cell = hn::IfThenElse(hn::RebindMask(Signed(), held), number, cell);
+    }
+    hn::StoreU(cell, Signed(), cells.data() + i);
+  }
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace safety_control_cloud
+HWY_AFTER_NAMESPACE();
+
+#endif
