@@ -37,19 +37,6 @@ Counts scan_and_take(const Runs& runs, const Outlook& outlook, float* nearest, T
   return all;
 }
 
-/// The same with something alongside.
-template <class Take>
-Counts scan_alongside(const Runs& runs, const Outlook& outlook, float* nearest, const Alongside& alongside, Take take) {
-  Counts all;
-  Places places;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    all += scan_and_gather(runs, i, outlook, nearest, alongside.outlook, alongside.region, places);
-    alongside.take(places);
-    take(i);
-  }
-  return all;
-}
-
 void add_inside(const Run& run, const Outlook& outlook, Cloud& crop) {
   for_each_inside(run, outlook, [&](float x, float y, float z) { crop.points.emplace_back(x, y, z); });
   crop.width = static_cast<std::uint32_t>(crop.size());
@@ -108,9 +95,14 @@ Sight look_alongside(const View& view, const Outlook& outlook, Crop crop, Rows r
   const auto take = [&](std::size_t i) {
     if (points && nearest[i] < infinity) add_inside(runs[i], outlook, *points);
   };
-  const Counts counts = alongside ? scan_alongside(runs, outlook, nearest.data(), *alongside, take)
-                        : points  ? scan_and_take(runs, outlook, nearest.data(), take)
-                                  : scan(runs, 0, runs.size(), outlook, nearest.data());
+  Counts counts;
+  if (alongside) {
+    counts = scan_and_gather(runs, outlook, nearest.data(), *alongside);
+    for (std::size_t i = 0; i < runs.size(); ++i) take(i);
+  } else {
+    counts = points ? scan_and_take(runs, outlook, nearest.data(), take)
+                    : scan(runs, 0, runs.size(), outlook, nearest.data());
+  }
   Sight sight;
   sight.nearest = nearest_in(runs, nearest, counts, outlook);
   sight.inside = counts.inside;

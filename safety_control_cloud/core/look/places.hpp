@@ -28,12 +28,14 @@ struct Places {
 /// Where the returns of a run lie that are in a region, whichever corridor there is. Into what was there.
 void gather(const Run& run, const Outlook& outlook, const Region& region, Places& places);
 
+using TakePlaces = std::function<void(Places&)>;
+
 /// What else is done in the pass over a view's points: where the returns lie that are in a region, by an outlook of its
 /// own, is gathered and taken, run by run in their order.
 struct Alongside {
   Outlook outlook;
   Region region;
-  std::function<void(Places&)> take;
+  TakePlaces take;
 };
 
 /// A square around the corridor's axes, seen from above, in cells that are numbered from `first` on, row by row.

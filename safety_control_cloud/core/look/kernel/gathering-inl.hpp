@@ -36,9 +36,9 @@ struct Gathering {
     note(points.at(column));
   }
 
-  HWY_INLINE void note(const Points& points) {
-    const Points placed = place(points);
-    const Mask within = hn::And(is_return(points, walls), bounds.hold(placed));
+  HWY_INLINE void note(const Points& points) { note_placed(place(points), is_return(points, walls)); }
+  HWY_INLINE void note_placed(const Points& placed, Mask returning) {
+    const Mask within = hn::And(returning, bounds.hold(placed));
     if (hn::AllFalse(Floats(), within)) return;
     hn::CompressStore(placed.x, within, Floats(), found->x.data() + size);
     hn::CompressStore(placed.y, within, Floats(), found->y.data() + size);
@@ -46,19 +46,38 @@ struct Gathering {
   }
 };
 
-/// Two visitors of the same points, which are loaded once.
-template <class First, class Second>
+/// Counts and gathers the same points, which are loaded once.
+template <class Count, class Gather>
 struct Both {
   static constexpr std::size_t at_once = lanes;
 
-  First first;
-  Second second;
+  Count counting;
+  Gather gathering;
+
+  HWY_INLINE Both(const Count& count, const Gather& gather) : counting(count), gathering(gather) {}
 
   template <class Source>
   HWY_INLINE void take(const Source& source, std::size_t column, std::size_t) {
     const Points points = source.at(column);
-    first.note(points);
-    second.note(points);
+    counting.note(points);
+    gathering.note(points);
+  }
+};
+
+/// And places them once.
+template <class Count, class Gather>
+struct BothAlike {
+  static constexpr std::size_t at_once = lanes;
+
+  Count counting;
+  Gather gathering;
+
+  HWY_INLINE BothAlike(const Count& count, const Gather& gather) : counting(count), gathering(gather) {}
+
+  template <class Source>
+  HWY_INLINE void take(const Source& source, std::size_t column, std::size_t) {
+    const auto found = counting.note(source.at(column));
+    gathering.note_placed(found.placed, found.returning);
   }
 };
 

@@ -32,9 +32,8 @@ struct Counts {
 /// afterwards costs less than to carry it through the pass, and the same in every scene.
 Counts scan(const Runs& runs, std::size_t begin, std::size_t end, const Outlook& outlook, float* nearest);
 
-/// scan() of the i-th run alone, and gather() of it by another outlook, over its bytes once.
-Counts scan_and_gather(const Runs& runs, std::size_t i, const Outlook& outlook, float* nearest, const Outlook& other,
-                       const Region& region, Places& places);
+/// scan() of all runs, and what goes alongside it, over their bytes once.
+Counts scan_and_gather(const Runs& runs, const Outlook& outlook, float* nearest, const Alongside& alongside);
 
 /// The columns of the points inside, in their order.
 struct Inside {

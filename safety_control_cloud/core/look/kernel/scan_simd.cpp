@@ -54,12 +54,13 @@ struct Counting {
   }
 
   /// A function, not the loop's own lines: named there, the points go to memory instead of registers.
-  HWY_INLINE void note(const Points& points) {
+  HWY_INLINE Found note(const Points& points) {
     const Found found(points, walls, place);
     returns.add(hn::RebindMask(Integers(), found.returning));
     inside.add(hn::RebindMask(Integers(), found.inside));
     nearest = hn::IfThenElse(found.inside, hn::Min(nearest, found.placed.z), nearest);
     lowest = hn::IfThenElse(hn::Lt(points.z, lowest), points.z, lowest);  // Min() drops a NaN on some machines only
+    return found;
   }
 };
 
@@ -164,15 +165,43 @@ void gather(const Run& run, const Outlook& outlook, const Region& region, Places
                     : gather_placing<Unplaced>(run, outlook, region, places);
 }
 
+/// What is done with the places of a run leaves the memory idle: it is asked for more of the next run before.
+HWY_INLINE void fetch_next(const Run& run) {
+  constexpr std::size_t size = 8192;  // [byte]
+  const auto* cloud = std::get_if<CloudView>(&run.points);
+  if (cloud) fetch_ahead(cloud->bytes + cloud->width * cloud->point_step, size);
+}
+
+template <class Visitor>
+Counts scan_and_take(Visitor both, const Runs& runs, const Outlook& outlook, float* nearest, Places& places,
+                     const TakePlaces& take) {
+  std::size_t too_close = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const Run run = runs[i];
+    both.counting.start_run();
+    both.gathering.size = 0;
+    visit_run(run, both);
+    fetch_next(run);
+    too_close += end_run(both.counting, run, outlook, nearest[i]);
+    places.size = both.gathering.size;
+    take(places);
+  }
+  return {both.counting.returns.total(), both.counting.inside.total(), too_close};
+}
+
 /// Of two that are placed.
-Counts scan_and_gather(const Run& run, const Outlook& outlook, float& nearest, const Outlook& other,
-                       const Region& region, Places& places) {
-  Both<Counting<Placed>, Gathering<Placed>> both{Counting<Placed>(outlook), Gathering<Placed>(other, region, places)};
-  visit_run(run, both);
-  places.size = both.second.size;
-  const auto& counting = both.first;
-  const std::size_t too_close = end_run(counting, run, outlook, nearest);
-  return {counting.returns.total(), counting.inside.total(), too_close};
+Counts scan_and_gather(const Runs& runs, const Outlook& outlook, float* nearest, const Alongside& alongside) {
+  const auto& [other, region, take] = alongside;
+  const bool alike =
+      outlook.placement->rows == other.placement->rows && outlook.corridor.range_min == other.corridor.range_min;
+  Places places;
+  const Counting<Placed> counting(outlook);
+  if (alike) {
+    const Gathering<Unplaced> gathering(other, region, places);
+    return scan_and_take(BothAlike{counting, gathering}, runs, outlook, nearest, places, take);
+  }
+  const Gathering<Placed> gathering(other, region, places);
+  return scan_and_take(Both{counting, gathering}, runs, outlook, nearest, places, take);
 }
 
 }  // namespace
@@ -200,12 +229,17 @@ void gather(const Run& run, const Outlook& outlook, const Region& region, Places
   HWY_DYNAMIC_DISPATCH(gather)(run, outlook, region, places);
 }
 
-Counts scan_and_gather(const Runs& runs, std::size_t i, const Outlook& outlook, float* nearest, const Outlook& other,
-                       const Region& region, Places& places) {
-  if (outlook.placement && other.placement)  // as a robot's cameras are
-    return HWY_DYNAMIC_DISPATCH(scan_and_gather)(runs[i], outlook, nearest[i], other, region, places);
-  gather(runs[i], other, region, places);
-  return scan(runs, i, i + 1, outlook, nearest);
+Counts scan_and_gather(const Runs& runs, const Outlook& outlook, float* nearest, const Alongside& alongside) {
+  if (outlook.placement && alongside.outlook.placement)  // as a robot's cameras are
+    return HWY_DYNAMIC_DISPATCH(scan_and_gather)(runs, outlook, nearest, alongside);
+  Counts all;
+  Places places;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    all += scan(runs, i, i + 1, outlook, nearest);
+    gather(runs[i], alongside.outlook, alongside.region, places);
+    alongside.take(places);
+  }
+  return all;
 }
 
 void find_cells(const Places& places, const std::vector<CellGrid>& grids, CellNumbers& cells) {
