@@ -38,7 +38,7 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
       reports_(private_handle, log_),
       lost_things_(private_handle, LostThings::of(control_, reports_),
                    [this](const std::string& line) { log_.warn(line); }),
-      quiet_(handle, [this] { on_quiet(); }),
+      quiet_(*handle.getCallbackQueue(), [this] { on_quiet(); }),
       reconfigure_(
           private_handle, settings,
           [this](Settings changed) {

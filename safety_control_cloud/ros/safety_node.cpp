@@ -20,7 +20,7 @@ SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, D
       reports_(private_handle, log_),
       lost_things_(private_handle, LostThings::of(control_, reports_),
                    [this](const std::string& line) { log_.warn(line); }),
-      quiet_(handle, [this] { on_quiet(); }),
+      quiet_(*handle.getCallbackQueue(), [this] { on_quiet(); }),
       reconfigure_(
           private_handle, settings, [this](const Settings& changed) { control_.adopt(changed); }, log_),
       diagnostics_(handle, private_handle) {

@@ -8,6 +8,8 @@
 #include <chrono>
 #include <utility>
 
+#include "../time/later.hpp"
+
 namespace safety_control_cloud {
 namespace {
 
@@ -26,19 +28,6 @@ bool is_zero(const geometry_msgs::Twist& twist) {
   const auto &linear = twist.linear, &angular = twist.angular;
   return linear.x == 0 && linear.y == 0 && linear.z == 0 && angular.x == 0 && angular.y == 0 && angular.z == 0;
 }
-
-class Later : public ros::CallbackInterface {
- public:
-  explicit Later(std::function<void()> work) : work_(std::move(work)) {}
-
-  CallResult call() override {
-    work_();
-    return Success;
-  }
-
- private:
-  std::function<void()> work_;
-};
 
 }  // namespace
 

@@ -33,7 +33,23 @@ Placing to_placing(const geometry_msgs::Transform& cloud_in_target) {
   return placing_of(to_target);
 }
 
+ros::NodeHandle handle_on(ros::CallbackQueue& queue) {
+  ros::NodeHandle handle;
+  handle.setCallbackQueue(&queue);
+  return handle;
+}
+
 }  // namespace
+
+/// The listener's own thread would wake a hundred times a second, even where nobody sends a transform.
+CameraPlace::CameraPlace(const std::string& target_frame)
+    : target_frame_(target_frame),
+      handle_(handle_on(heard_)),
+      listener_(buffer_, handle_, false),
+      hearing_(1, &heard_) {
+  buffer_.setUsingDedicatedThread(true);  // which this is
+  hearing_.start();
+}
 
 Placing CameraPlace::at(const std_msgs::Header& cloud) const {
   try {

@@ -1,43 +1,59 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wake.hpp"
 
-#include <algorithm>
+#include <boost/chrono/duration.hpp>
+#include <boost/make_shared.hpp>
+#include <cstdint>
 #include <utility>
 
+#include "later.hpp"
+
 namespace safety_control_cloud {
-namespace {
 
-constexpr double shortest = 1e-3;     ///< [s] so that a timer that is due does not spin
-constexpr double longest_wait = 0.1;  ///< [s] in the queue; of what comes later nobody knows whether it will
+Wake::Wake(ros::CallbackQueueInterface& queue, std::function<void()> call)
+    : queue_(queue), call_(std::move(call)), thread_([this] { watch(); }) {}
 
-}  // namespace
-
-Wake::Wake(ros::NodeHandle& handle, std::function<void()> call)
-    : call_(std::move(call)), timer_([this, &handle] {
-        constexpr bool once = true, not_yet = false;
-        return handle.createSteadyTimer(
-            ros::WallDuration(1.0), [this](const ros::SteadyTimerEvent&) { on_timer(); }, once, not_yet);
-      }()) {}
+Wake::~Wake() {
+  {
+    const boost::lock_guard<boost::mutex> lock(mutex_);
+    leave_ = true;
+  }
+  sooner_.notify_all();
+  thread_.join();
+  queue_.removeByID(reinterpret_cast<std::uint64_t>(this));
+}
 
 void Wake::in(double seconds) {
-  const double wait = std::max(seconds, shortest);
-  const ros::SteadyTime now = ros::SteadyTime::now();
-  due_ = now + ros::WallDuration(wait);
-  const bool is_overdue = now - fires_ > ros::WallDuration(longest_wait);
-  if (fires_.isZero() || due_ < fires_ || is_overdue) set_timer(wait);
+  const boost::lock_guard<boost::mutex> lock(mutex_);
+  due_ = ros::SteadyTime::now() + ros::WallDuration(seconds);
+  if (wakes_.isZero() || due_ < wakes_) sooner_.notify_all();
 }
 
-void Wake::on_timer() {
-  fires_ = ros::SteadyTime();
-  const double left = (due_ - ros::SteadyTime::now()).toSec();
-  left > 0.0 ? set_timer(std::max(left, shortest)) : call_();
+void Wake::watch() {
+  boost::unique_lock<boost::mutex> lock(mutex_);
+  while (!leave_) {
+    wakes_ = due_;
+    const ros::WallDuration left = due_ - ros::SteadyTime::now();
+    if (due_.isZero()) {
+      sooner_.wait(lock);
+    } else if (left > ros::WallDuration()) {
+      sooner_.wait_for(lock, boost::chrono::nanoseconds(left.toNSec()));
+    } else {
+      due_ = ros::SteadyTime();
+      lock.unlock();
+      queue_.addCallback(boost::make_shared<Later>([this] { on_due(); }), reinterpret_cast<std::uint64_t>(this));
+      lock.lock();
+    }
+  }
 }
 
-void Wake::set_timer(double seconds) {
-  timer_.stop();
-  timer_.setPeriod(ros::WallDuration(seconds));
-  timer_.start();
-  fires_ = ros::SteadyTime::now() + ros::WallDuration(seconds);
+/// In the queue, where it may have waited until it was put off.
+void Wake::on_due() {
+  {
+    const boost::lock_guard<boost::mutex> lock(mutex_);
+    if (!due_.isZero()) return;
+  }
+  call_();
 }
 
 }  // namespace safety_control_cloud

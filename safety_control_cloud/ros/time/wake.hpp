@@ -1,29 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <ros/ros.h>
+#include <ros/callback_queue_interface.h>
+#include <ros/time.h>
 
+#include <boost/thread/condition_variable.hpp>
+#include <boost/thread/mutex.hpp>
 #include <functional>
+#include <thread>
 
 namespace safety_control_cloud {
 
-/// Calls back at a moment that is put off again and again. To put it off costs nothing: roscpp's timer, which wakes a
-/// thread at each change, is left to fire too early, and then set anew.
+/// Calls back at a moment that is put off again and again. To put it off costs nothing: the thread that waits for it is
+/// left to wake too early, and then waits on. (Each change of a timer of roscpp's wakes two threads.)
 class Wake {
  public:
-  /// `call` runs in the handle's queue.
-  Wake(ros::NodeHandle& handle, std::function<void()> call);
+  /// `call` runs in the queue.
+  Wake(ros::CallbackQueueInterface& queue, std::function<void()> call);
+  ~Wake();
 
   /// In so many seconds from now, and not at the moment said before.
   void in(double seconds);
 
  private:
-  void on_timer();
-  void set_timer(double seconds);
+  void watch();
+  void on_due();
 
+  ros::CallbackQueueInterface& queue_;
   const std::function<void()> call_;
-  ros::SteadyTime due_, fires_;  ///< fires_: zero if the timer is not set
-  ros::SteadyTimer timer_;
+  boost::mutex mutex_;
+  boost::condition_variable sooner_;  ///< boost's: with g++ 9 the standard's waits longer if the clock is set back
+  ros::SteadyTime due_;               ///< zero: at no time
+  ros::SteadyTime wakes_;             ///< when the thread will see by itself what is due; zero: never
+  bool leave_ = false;
+  std::thread thread_;
 };
 
 }  // namespace safety_control_cloud
