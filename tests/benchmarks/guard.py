@@ -80,7 +80,10 @@ def drive(side: str, commands: int) -> Mapping[str, Any]:
 def driven(guards: Sequence[Sequence[str]], commands: int, sensors: int) -> Mapping[str, Any]:
     """What the driver says of so many commands, with the first so many sensors: guard_drive.cpp."""
     forget()
+    cameras = [[str(PROGRAMS / "guard_drive"), "cameras", str(sensors)]] if guards else []
     with ExitStack() as stack:
+        for camera in cameras:
+            stack.enter_context(process(camera))
         nodes = [stack.enter_context(process(guard)) for guard in guards]
         numbers = [str(number) for number in (commands, sensors, *(node.pid for node in nodes))]
         driver = stack.enter_context(process([str(PROGRAMS / "guard_drive"), *numbers]))

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two cameras and a laser at 20 Hz, or the first camera alone, somebody's commands at 50 Hz, and the time from each to
-// what the base is told. With the processes' ids: they guard. Without: a nodelet does, in this process.
+// Somebody's commands at 50 Hz, and the time from each to what the base is told, beside two cameras and a laser at 20
+// Hz, or the first camera alone. With the processes' ids: they guard, and the cameras are a process of their own, as on
+// a robot: `guard_drive cameras SENSORS`. Without: a nodelet guards, in this process, and so do the cameras send.
 #include <geometry_msgs/Twist.h>
 #include <nodelet/loader.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
-#include <algorithm>
 #include <boost/make_shared.hpp>
 #include <cmath>
 #include <iostream>
@@ -17,6 +17,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "guard_scene.hpp"
@@ -27,7 +28,7 @@ namespace safety_control_cloud {
 namespace {
 
 constexpr double tick = 0.01;  ///< [s]
-constexpr int ticks_a_command = 2, ticks_a_look = 5;
+constexpr long ticks_a_command = 2, ticks_a_look = 5;
 constexpr double speed = 0.1;      ///< [m/s] of each command
 constexpr double step = 1e-6;      ///< [rad/s] from one to the next
 constexpr int warm_up = 50;        ///< commands
@@ -56,15 +57,47 @@ class Sent {
   std::optional<Serialised> bytes_;
 };
 
-class Drive {
+/// Moments that all processes of a machine count alike.
+class Ticks {
+ public:
+  /// The next moment's number, once it has come. None is left out.
+  long next() {
+    ros::SteadyTime::sleepUntil(ros::SteadyTime(tick * static_cast<double>(++number_)));
+    return number_;
+  }
+  long latest() const { return number_; }
+
+ private:
+  long number_ = static_cast<long>(ros::SteadyTime::now().toSec() / tick);
+};
+
+class Cameras {
  public:
   /// The first so many sensors send.
-  Drive(int sensors, bool in_process)
+  Cameras(int sensors, bool in_process)
       : sensors_(sensors),
         front_("front/points", cloud_of("front"), in_process),
         rear_("rear/points", cloud_of("rear"), in_process),
-        laser_("scan", scan_of("laser"), in_process),
-        wishes_(handle_.advertise<geometry_msgs::Twist>("cmd_vel_in", 1)) {
+        laser_("scan", scan_of("laser"), in_process) {}
+
+  void look(long moment) {
+    const long phase = moment % ticks_a_look;
+    if (phase == 0) front_.publish();
+    if (phase == 2 && sensors_ > 1) rear_.publish();
+    if (phase == 4 && sensors_ > 2) laser_.publish();
+  }
+
+ private:
+  int sensors_;
+  Sent<sensor_msgs::PointCloud2> front_, rear_;
+  Sent<sensor_msgs::LaserScan> laser_;
+};
+
+class Drive {
+ public:
+  /// `cameras` of the same process, if they are.
+  explicit Drive(std::optional<Cameras> cameras)
+      : cameras_(std::move(cameras)), wishes_(handle_.advertise<geometry_msgs::Twist>("cmd_vel_in", 1)) {
     places_.sendTransform(places());
     base_.setCallbackQueue(&heard_);
     answers_ = base_.subscribe("cmd_vel", 10, &Drive::on_answer, this, ros::TransportHints().tcpNoDelay());
@@ -81,8 +114,8 @@ class Drive {
     }
   }
 
-  int clouds() const { return clouds_; }  ///< of the first camera, so far
-  long said() const { return number_; }   ///< commands, so far
+  long clouds() const { return ticks_.latest() / ticks_a_look; }  ///< of the first camera, since some moment
+  long said() const { return number_; }                           ///< commands, so far
 
   /// Says commands until so many are answered, however late, and gives for each of these the time [s] from just before
   /// it to what is given of it. Throws if few are.
@@ -119,19 +152,10 @@ class Drive {
       said_[number_] = ros::SteadyTime::now();
     }
     wishes_.publish(wish);
-    for (int i = 0; i < ticks_a_command; ++i) look_around();
-  }
-
-  void look_around() {
-    const int phase = ticks_++ % ticks_a_look;
-    if (phase == 0) {
-      front_.publish();
-      ++clouds_;
-    }
-    if (phase == 2 && sensors_ > 1) rear_.publish();
-    if (phase == 4 && sensors_ > 2) laser_.publish();
-    due_ = std::max(due_ + ros::WallDuration(tick), ros::SteadyTime::now());
-    ros::SteadyTime::sleepUntil(due_);
+    do {
+      if (cameras_) cameras_->look(ticks_.latest());
+      ticks_.next();
+    } while (ticks_.latest() % ticks_a_command != 0);
   }
 
   /// Of each command the first; what the guard repeats of it afterwards is none.
@@ -146,11 +170,9 @@ class Drive {
     said_.erase(said_.begin(), std::next(said));  // a queue of one: what was said before it was passed over
   }
 
-  int sensors_;
+  std::optional<Cameras> cameras_;
   ros::NodeHandle handle_;
   tf2_ros::StaticTransformBroadcaster places_;
-  Sent<sensor_msgs::PointCloud2> front_, rear_;
-  Sent<sensor_msgs::LaserScan> laser_;
   ros::Publisher wishes_;
   ros::CallbackQueue heard_;  ///< by the base, in a thread of its own: it does not wait for the cameras to write
   ros::AsyncSpinner hearing_{1, &heard_};
@@ -159,51 +181,61 @@ class Drive {
   std::mutex mutex_;
   std::map<long, ros::SteadyTime> said_;  ///< not answered yet, by number
   std::vector<double> latencies_;         ///< [s]
-  ros::SteadyTime due_ = ros::SteadyTime::now();
+  Ticks ticks_;
   long number_ = 0;
-  int ticks_ = 0, clouds_ = 0;
 };
 
 struct Spent {
-  double cpu, time;  ///< [s]
-  int clouds;
-  long said;  ///< commands
+  double cpu, time;   ///< [s]
+  long clouds, said;  ///< said: commands
 };
 
 void report(const std::vector<double>& latencies, const Spent& spent) {
   std::cout << "{\"latency_ms\": [";
   for (std::size_t i = 0; i < latencies.size(); ++i) std::cout << (i == 0 ? "" : ", ") << 1e3 * latencies[i];
-  std::cout << "], \"cpu_share\": " << spent.cpu / spent.time << ", \"cpu_ms\": " << 1e3 * spent.cpu / spent.clouds
-            << ", \"said\": " << spent.said << '}' << std::endl;
+  std::cout << "], \"cpu_share\": " << spent.cpu / spent.time
+            << ", \"cpu_ms\": " << 1e3 * spent.cpu / static_cast<double>(spent.clouds) << ", \"said\": " << spent.said
+            << '}' << std::endl;
 }
 
 void run(int commands, int sensors, const std::vector<pid_t>& guards) {
   nodelet::Loader manager;  // what the program `nodelet manager` consists of
   const bool in_process = guards.empty();
-  Drive drive(sensors, in_process);
+  Drive drive(in_process ? std::optional<Cameras>(std::in_place, sensors, true) : std::nullopt);
   if (in_process && !manager.load("/safety_control_cloud", "safety_control_cloud/SafetyControlNodelet", {}, {}))
     throw std::runtime_error("the nodelet could not be loaded");
   drive.meet();
   drive.command(warm_up);
   const double cpu = use_of(guards).cpu;
   const ros::SteadyTime begun = ros::SteadyTime::now();
-  const int clouds = drive.clouds();
+  const long clouds = drive.clouds();
   const long said = drive.said();
   const auto latencies = drive.command(commands);
   const double time = (ros::SteadyTime::now() - begun).toSec();
   report(latencies, {use_of(guards).cpu - cpu, time, drive.clouds() - clouds, drive.said() - said});
 }
 
+void run_cameras(int sensors) {
+  Cameras cameras(sensors, false);
+  Ticks ticks;
+  while (ros::ok()) cameras.look(ticks.next());
+}
+
 }  // namespace
 }  // namespace safety_control_cloud
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "guard_drive", ros::init_options::NoRosout);
+  const bool shows = argc == 3 && argv[1] == std::string("cameras");
+  ros::init(argc, argv, shows ? "guard_cameras" : "guard_drive", ros::init_options::NoRosout);
   if (argc < 3) {
-    std::cerr << "Usage: " << argv[0] << " COMMANDS SENSORS [PID...]\n";
+    std::cerr << "Usage: " << argv[0] << " COMMANDS SENSORS [PID...]\n       " << argv[0] << " cameras SENSORS\n";
     return 2;
   }
   const ros::NodeHandle keeps_the_threads_running;
+  if (shows) {
+    safety_control_cloud::run_cameras(std::stoi(argv[2]));
+    return 0;
+  }
   std::vector<pid_t> guards;
   for (int i = 3; i < argc; ++i) guards.push_back(std::stoi(argv[i]));
   safety_control_cloud::run(std::stoi(argv[1]), std::stoi(argv[2]), guards);
