@@ -31,6 +31,8 @@ struct Gathering {
   HWY_INLINE Gathering(const Outlook& outlook, const Region& region, Places& places)
       : walls(outlook.corridor), bounds(region), place(outlook), found(&places) {}
 
+  HWY_INLINE void go_on_from(const Gathering& other) { size = other.size; }
+
   template <class Source>
   HWY_INLINE void take(const Source& points, std::size_t column, std::size_t) {
     note(points.at(column));
@@ -56,6 +58,11 @@ struct Both {
 
   HWY_INLINE Both(const Count& count, const Gather& gather) : counting(count), gathering(gather) {}
 
+  HWY_INLINE void go_on_from(const Both& other) {
+    counting.go_on_from(other.counting);
+    gathering.go_on_from(other.gathering);
+  }
+
   template <class Source>
   HWY_INLINE void take(const Source& source, std::size_t column, std::size_t) {
     const Points points = source.at(column);
@@ -73,6 +80,11 @@ struct BothAlike {
   Gather gathering;
 
   HWY_INLINE BothAlike(const Count& count, const Gather& gather) : counting(count), gathering(gather) {}
+
+  HWY_INLINE void go_on_from(const BothAlike& other) {
+    counting.go_on_from(other.counting);
+    gathering.go_on_from(other.gathering);
+  }
 
   template <class Source>
   HWY_INLINE void take(const Source& source, std::size_t column, std::size_t) {
