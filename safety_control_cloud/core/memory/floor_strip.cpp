@@ -129,10 +129,6 @@ void FloorStrip::expect(const Patience& patience) {
   }
 }
 
-bool FloorStrip::is_hidden(std::size_t column) const {
-  return expected_[column] >= certain && is_mostly_blank(blank_[column], rows_.size());
-}
-
 bool FloorStrip::is_seen_again(std::size_t column, bool among_strays) const {
   const auto again = [this](std::size_t i) {
     const auto [shown, hidden] = this->column(i);

@@ -16,13 +16,13 @@ float squared_distance(const Point& a, const Point& b) {
 
 }  // namespace
 
-Likeness likeness_of(const std::vector<Spot>& before, const std::vector<Spot>& now) {
+Likeness likeness_of(const std::vector<Spot>& before, const Thing& now) {
   constexpr float far = farthest_step * farthest_step;
   std::size_t close = 0, asked = 0;
   double closeness = 0.0;
   for (std::size_t i = 0; i < before.size(); i += 1 + before.size() / enough_spots, ++asked) {
     float least = far;
-    for (const Spot& spot : now) least = std::min(least, squared_distance(before[i].point, spot.point));
+    for (const Spot& spot : now.spots) least = std::min(least, squared_distance(before[i].point, spot.point));
     close += least < far;
     closeness += 1.0 - std::sqrt(double{least}) / double{farthest_step};
   }

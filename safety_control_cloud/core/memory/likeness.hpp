@@ -16,6 +16,6 @@ struct Likeness {
   double closeness = 0.0;  ///< how close: 1 where it has not moved
 };
 
-Likeness likeness_of(const std::vector<Spot>& before, const std::vector<Spot>& now);
+Likeness likeness_of(const std::vector<Spot>& before, const Thing& now);
 
 }  // namespace safety_control_cloud

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "../look/look.hpp"
-#include "hidden_edges.hpp"
 #include "kept.hpp"
 #include "near_things.hpp"
 
@@ -150,7 +149,6 @@ void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, 
   auto things = near_things(search);
   ground_.place(things, search.picture, search.outlook);
   floor_.survey(ground_, patience);
-  place_hidden_edges(things, {search.picture, ground_, floor_});
   const auto is_seen_again = [&](std::size_t column) {
     const std::size_t i = ground_.column_at(column);
     return !ground_.is_near(i) && floor_.is_seen_again(i, clouds_of_floor > 1);

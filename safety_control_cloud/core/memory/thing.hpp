@@ -25,8 +25,7 @@ struct Spot {
   std::uint8_t seen_past = 0;          ///< so many successive clouds show something behind it
   std::uint8_t lost_for = 0;           ///< so many clouds have been asked about it, or more than enough
   bool stands = false;                 ///< what is seen in this column reached down to the near floor
-  bool foot_unseen = false;            ///< nothing farther away returned in this column below what is seen, or its foot
-                                       ///< may lie beside it: see place_hidden_edges
+  bool foot_unseen = false;            ///< nothing farther away returned in this column below what is seen
   std::optional<Axis> axis{};          ///< of the camera then; none: of the first that asks
   std::optional<double> lost_since{};  ///< [s] steady
 
@@ -48,7 +47,6 @@ struct Thing {
   float nearest = 0.0f;    ///< [m] ahead of the camera
   bool stands = false;     ///< on the near floor, in most of its columns
   bool hangs = false;      ///< in most of its columns something farther away is seen below it
-  bool is_edge = false;    ///< in most of its columns, of what hides the near floor right beside them
   bool is_slight = false;  ///< few pixels of many that a picture has: they may be false
   bool at_border = false;  ///< of the picture or of the corridor: part of it may be out of sight
 };

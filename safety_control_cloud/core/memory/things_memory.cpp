@@ -19,9 +19,6 @@ constexpr unsigned clouds_to_go = 3;
 /// Nearly all of a thing, and a small part of one.
 constexpr double nearly = 0.85, few = 0.25;
 constexpr std::size_t most_lost = 240;  ///< spots of one thing
-/// So many clouds after it has left the picture a leg may swing back into it.
-constexpr unsigned lately = 10;
-constexpr std::size_t enough_of_it = 16;  ///< spots that tell where a thing stood
 /// Of the picture, at least 1/share is a fair extent.
 constexpr double fair_share = 500;
 
@@ -70,7 +67,6 @@ void ThingsMemory::scale_sizes(double by) {
 void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor, float near,
                           const Axis& axis) {
   follow(std::move(seen));
-  note_standing();
   unlearn_blind_range();
   const bool rest = !axis_ || are_same(*axis_, axis, rests);
   for (Remembered& thing : things_) {
@@ -119,32 +115,8 @@ void ThingsMemory::unlearn_blind_range() {
   for (Remembered& thing : things_) thing.vanished = false;
 }
 
-/// Of what is seen for the first time: whether it is the edge of what stands too near to be seen, or so little of what
-/// stood lately that it is not known for that.
-bool ThingsMemory::is_of_what_stood(const Thing& now) const {
-  if (now.is_edge || now.stands || now.hangs) return now.is_edge || now.stands;
-  return std::any_of(stood_.begin(), stood_.end(),
-                     [&now](const Stood& one) { return likeness_of(now.spots, one.spots).share > nearly; });
-}
-
-/// What of the things that are seen stands, and for how long that is of use.
-void ThingsMemory::note_standing() {
-  for (Stood& one : stood_) --one.clouds;
-  stood_.erase(std::remove_if(stood_.begin(), stood_.end(), [](const Stood& one) { return one.clouds == 0; }),
-               stood_.end());
-  for (const Remembered& thing : things_) {
-    if (!thing.stood || !thing.is_seen()) continue;
-    Stood one{{}, lately};
-    for (std::size_t i = 0; i < thing.seen.spots.size(); i += 1 + thing.seen.spots.size() / enough_of_it)
-      one.spots.push_back(thing.seen.spots[i]);
-    stood_.push_back(std::move(one));
-  }
-}
-
 /// Which of the things that were seen are those that are seen now: the ones that have most in common.
 void ThingsMemory::follow(std::vector<Thing> seen) {
-  std::vector<char> stood;
-  for (const Thing& now : seen) stood.push_back(is_of_what_stood(now));
   std::vector<std::vector<Spot>> before;
   std::vector<double> size_before;
   for (Remembered& thing : things_) {
@@ -159,7 +131,7 @@ void ThingsMemory::follow(std::vector<Thing> seen) {
     double most = 0.0;
     for (std::size_t i = 0; i < before.size(); ++i) {
       if (before[i].empty() || things_[i].is_seen()) continue;
-      const Likeness alike = likeness_of(before[i], now.spots);
+      const Likeness alike = likeness_of(before[i], now);
       const double as_large = std::min(1.0, now.size / size_before[i]);
       const double all_in_all = as_large * (alike.share + alike.closeness);
       if (alike.share * as_large > least && all_in_all > most) best = i, most = all_in_all;
@@ -176,8 +148,7 @@ void ThingsMemory::follow(std::vector<Thing> seen) {
     thing.size = std::max(thing.size, now.size);
     thing.at_border = now.at_border;
     thing.is_slight = now.is_slight;
-    const bool stood_before = thing.clouds == 0 ? stood[static_cast<std::size_t>(&now - seen.data())] : thing.stood;
-    thing.stood = now.stands || (stood_before && !now.hangs);
+    thing.stood = now.stands || (thing.stood && !now.hangs);
     // What is left of it at a border may show no foot: a post that slides out of the corridor still stands. But what is
     // seen below it says that it does not.
     for (Spot& spot : now.spots) spot.stands = spot.stands || (thing.stood && spot.foot_unseen);
@@ -210,20 +181,19 @@ void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor
     if (!spot.axis) spot.axis = axis;
     if (!are_same(*spot.axis, axis, same_axis)) return false;
     if (evidence == Evidence::Past && between_rays) evidence = Evidence::Nothing;
-    if (spot.lost_for < floor.after) ++spot.lost_for;
-    const bool may_stand = spot.stands && spot.column_shown && spot.lost_for >= floor.after;
-    const bool stood_here = may_stand && !floor_between && floor.is_seen_again(spot.column);
-    if (evidence == Evidence::Past && !stood_here && !thing.is_seen() && leaves_at_the_top(spot, picture)) {
+    if (evidence == Evidence::Past && !thing.is_seen() && leaves_at_the_top(spot, picture)) {
       leaving += double{spot.share};
       return false;
     }
+    if (spot.lost_for < floor.after) ++spot.lost_for;
+    const bool may_stand = spot.stands && spot.column_shown && spot.lost_for >= floor.after;
     spot.seen_past = evidence == Evidence::Past ? static_cast<std::uint8_t>(spot.seen_past + 1) : std::uint8_t{0};
     // Seen again, it is a thing that is seen; what comes nearer while a part of it is seen is that thing itself.
     const bool again =
         evidence == Evidence::There || (evidence == Evidence::Hidden && thing.is_seen() &&
                                         picture.near(spot.row, spot.column).z > spot.point.z - farthest_step);
     if (again) return true;
-    if (spot.seen_past >= clouds_to_go || stood_here) {
+    if (spot.seen_past >= clouds_to_go || (may_stand && !floor_between && floor.is_seen_again(spot.column))) {
       thing.freed += double{spot.share};
       return true;
     }

@@ -46,9 +46,6 @@ double size_of(const std::vector<Spot>& spots);  ///< [m2]
 ///   is seen nearer.
 /// - While the camera looks another way than when a spot was seen, or turns, its picture says nothing of it.
 /// - What stands on the floor, in a column of the picture, has gone when the near floor is seen again in that column.
-///   So has a sliver without a foot of its own, if it is first seen as the edge of what hides the floor right beside
-///   it, or where, half a second ago at most, something stood that leaves the picture or the corridor. What was seen to
-///   hang never stands so.
 class ThingsMemory {
  public:
   struct NearFloor {
@@ -73,7 +70,7 @@ class ThingsMemory {
   }
   /// Sizes are told but for the picture's angle; that of the next one is another.
   void scale_sizes(double by);
-  bool empty() const { return things_.empty() && stood_.empty(); }
+  bool empty() const { return things_.empty(); }
   /// At which things vanished [m]; 0 if none did.
   float blind_range() const { return blind_range_; }
   /// As they were written down; nothing of them is seen.
@@ -81,20 +78,11 @@ class ThingsMemory {
 
  private:
   void follow(std::vector<Thing> seen);
-  bool is_of_what_stood(const Thing& now) const;
-  void note_standing();
   void ask(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Axis& axis);
   void note_vanished(Remembered& thing, const Pixels& picture, float near);
   void unlearn_blind_range();
 
-  /// As it was seen in one cloud; of use for so many more.
-  struct Stood {
-    std::vector<Spot> spots;
-    unsigned clouds;
-  };
-
   std::vector<Remembered> things_;
-  std::vector<Stood> stood_;
   float blind_range_ = 0.0f;
   std::optional<Axis> axis_;  ///< of the latest picture
 };

@@ -14,7 +14,9 @@ std::vector<Spot> row_of_spots(std::size_t count, float right, float away) {
 }
 
 Likeness after_a_move(float right, float nearer) {
-  return likeness_of(row_of_spots(200, 0.0f, 0.8f), row_of_spots(200, right, 0.8f - nearer));
+  Thing now;
+  now.spots = row_of_spots(200, right, 0.8f - nearer);
+  return likeness_of(row_of_spots(200, 0.0f, 0.8f), now);
 }
 
 TEST(Likeness, OfAThingThatRestsIsWhole) {
@@ -37,8 +39,8 @@ TEST(Likeness, CountsWhatOfTheThingIsCloseToWhatIsSeen) {
 }
 
 TEST(Likeness, OfNothingIsNone) {
-  EXPECT_DOUBLE_EQ(likeness_of({}, {}).share, 0.0);
-  EXPECT_DOUBLE_EQ(likeness_of(row_of_spots(9, 0.0f, 0.8f), {}).share, 0.0);
+  EXPECT_DOUBLE_EQ(likeness_of({}, Thing{}).share, 0.0);
+  EXPECT_DOUBLE_EQ(likeness_of(row_of_spots(9, 0.0f, 0.8f), Thing{}).share, 0.0);
 }
 
 }  // namespace
