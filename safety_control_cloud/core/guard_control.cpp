@@ -83,21 +83,11 @@ void GuardControl::see(const Reading& reading, const Origin& origin, const Insta
   if (memory_.note_breaks(went, now))
     for (GuardSensor& one : sensors_) one.forget_poses();
   if (!look) return explain_blindness(sensor, origin, now);
-  const bool went_by_odometry = memory_.goes_by_odometry();
-  const auto robot = memory_.note(sensor, *look, went, now);
-  if (memory_.goes_by_odometry() != went_by_odometry)
-    for (GuardSensor& one : sensors_) one.forget_poses();
-  const bool is_any_lost = sensors_[sensor].note_pose(robot ? std::optional(robot->pose) : std::nullopt, now.steady);
-  if (is_any_lost && robot && memory_.remembers()) explain_loss(sensor, *look, *robot, now);
-}
-
-/// By what the base was told only by what it did not go away from since, and never for that it were elsewhere by now.
-void GuardControl::explain_loss(std::size_t sensor, const Look& look, const Whereabouts& robot, const Instant& now) {
-  constexpr double ever = std::numeric_limits<double>::infinity();
-  GuardSensor& lossy = sensors_[sensor];
-  const bool is_certain = memory_.goes_by_odometry();
-  const auto known = memory_.resting(look.outlook, robot, now, is_certain ? -ever : lossy.reckons_since());
-  lossy.explain_loss(known, is_certain ? settings_.memory_time : ever, now.steady);
+  const auto pose = memory_.note(sensor, *look, went, now);
+  const bool is_any_lost = sensors_[sensor].note_pose(pose, now.steady);
+  if (!is_any_lost || !pose || !memory_.remembers()) return;
+  const auto robot = memory_.by_odometry_at(look->stamp, went);
+  sensors_[sensor].explain_loss(memory_.resting(look->outlook, *robot, now), settings_.memory_time, now.steady);
 }
 
 void GuardControl::explain_blindness(std::size_t sensor, const Origin& origin, const Instant& now) {
@@ -214,7 +204,6 @@ const Guarded& GuardControl::answer(const Instant& now) {
   last_.stuck = meant && allowed.factor == 0.0 && !stands(in_plane(*wanted_));
   if (last_.stuck && !was_stuck) last_.stuck_since = now.steady;
   given_.note(in_plane(last_.given), now.steady);
-  for (GuardSensor& sensor : sensors_) sensor.note_given(in_plane(last_.given), !outside_, now.steady);
   last_.open = last_.stuck ? open_directions(guard_, settings_, under_way({}, now), known) : std::uint8_t{0};
   return last_;
 }

@@ -91,7 +91,6 @@ class GuardControl {
   const Settings& settings() const { return settings_; }
 
  private:
-  void explain_loss(std::size_t sensor, const Look& look, const Whereabouts& robot, const Instant& now);
   void explain_blindness(std::size_t sensor, const Origin& origin, const Instant& now);
   std::vector<Known> known_at(const Instant& now);
   UnderWay under_way(const Twist2& wanted, const Instant& now) const;

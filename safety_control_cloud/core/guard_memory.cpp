@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace safety_control_cloud {
 namespace {
 
-constexpr double begins_after = 0.2;   ///< [s] that odometry must go on before it is asked
-constexpr double least_jump = 0.1;     ///< [m], [rad]
-constexpr double well_reckoned = 0.1;  ///< [m] what may be off by more is not what hides something
+constexpr double begins_after = 0.2;  ///< [s] that odometry must go on before it is asked
+constexpr double least_jump = 0.1;    ///< [m], [rad]
 constexpr double full_turn = 2.0 * 3.14159265358979323846;
 
 OutOfSightLimits limits_by(const Settings& settings) {
@@ -98,8 +96,7 @@ bool GuardMemory::note_breaks(const Went& went, const Instant& now) {
   return by_odometry_;
 }
 
-std::optional<Whereabouts> GuardMemory::note(std::size_t sensor, const Look& look, const Went& went,
-                                             const Instant& now) {
+std::optional<Pose2> GuardMemory::note(std::size_t sensor, const Look& look, const Went& went, const Instant& now) {
   choose_whereabouts(look.stamp, went, now);
   const auto robot = whereabouts_at(now.ros - look.stamp, went, now);
   if (robot) {
@@ -110,7 +107,7 @@ std::optional<Whereabouts> GuardMemory::note(std::size_t sensor, const Look& loo
   } else {
     out_of_sight_.note_unplaced(sensor, now.steady);
   }
-  return robot;
+  return by_odometry_ && robot ? std::optional(robot->pose) : std::nullopt;
 }
 
 /// None of what is taken at once. Some stamp a scan when it ends.
@@ -150,9 +147,9 @@ std::optional<Whereabouts> GuardMemory::by_odometry_at(double stamp, const Went&
   return Whereabouts{*pose, {}, odometry_drift_, went.odometry.unexplained_until(stamp)};
 }
 
-std::vector<KnownPlace> GuardMemory::resting(const Outlook& sensor, const Whereabouts& robot, const Instant& now,
-                                             double since) const {
-  return out_of_sight_.resting(sensor, robot, now.steady, since);
+std::vector<KnownPlace> GuardMemory::resting(const Outlook& sensor, const Whereabouts& robot,
+                                             const Instant& now) const {
+  return out_of_sight_.resting(sensor, robot, now.steady);
 }
 
 /// Not every sensor that is required has looked since odometry goes on.
@@ -189,29 +186,21 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
   known.law = sensors.front().law();
   known.law.min_points = 1;
   known.ways = {Pose2{}};
+  known.is_reckoned = !by_odometry_;
   const double reach = guard.reach(0.0, known.law);
   rings_.clear();
+  for (std::size_t i = 0; i < (by_odometry_ ? 1 : sensors.size()); ++i)
+    rings_.push_back(
+        out_of_sight_.rings(robot, reach, now.steady, shows, by_odometry_ ? std::nullopt : std::optional(i)));
   std::vector<Known> all;
-  const auto add = [&](std::size_t sensor, std::vector<Ring> rings, bool is_reckoned) {
+  for (std::size_t i = 0; i < rings_.size(); ++i) {
     // What the margin is kept for: half of it for where things are, the rest for what the robot does. What decides is
     // the nearest of many returns, not one of min_points as in a picture, and lies nearer than the thing by the noise.
-    for (Ring& ring : rings)
+    for (Ring& ring : rings_[i])
       ring.obstacles.widening = std::max(-known.law.noise, ring.obstacles.widening - 0.5 * margin_);
-    rings_.push_back(std::move(rings));
-    known.rings = &rings_.back();
-    known.is_reckoned = is_reckoned;
-    known.spare = by_odometry_ || is_reckoned ? 0.0 : 0.5 * margin_;
-    known.seen_by = shows[sensor] ? sensors[sensor].eye() : std::nullopt;
+    known.rings = &rings_[i];
+    known.seen_by = shows[i] ? sensors[i].eye() : std::nullopt;
     all.push_back(known);
-  };
-  if (by_odometry_) {
-    add(0, out_of_sight_.rings(robot, reach, now.steady, shows), false);
-    return all;
-  }
-  for (std::size_t i = 0; i < sensors.size(); ++i) {
-    add(i, out_of_sight_.rings(robot, reach, now.steady, shows, i), true);
-    if (sensors[i].is_loss_explained())  // by what any of them saw
-      add(i, out_of_sight_.rings(robot, reach, now.steady, shows, std::nullopt, well_reckoned), false);
   }
   return all;
 }

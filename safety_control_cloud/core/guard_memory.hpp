@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
-#include <list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,8 +45,8 @@ class GuardMemory {
   /// Whether odometry did not go on since this was asked last, so that where the robot was by it is not known any more.
   bool note_breaks(const Went& went, const Instant& now);
 
-  /// A sensor shows this. Where the robot was then; none: nobody knows.
-  std::optional<Whereabouts> note(std::size_t sensor, const Look& look, const Went& went, const Instant& now);
+  /// A sensor shows this. Where the robot was then by odometry; none: nobody knows.
+  std::optional<Pose2> note(std::size_t sensor, const Look& look, const Went& went, const Instant& now);
 
   /// Whether anything would be kept.
   bool remembers() const { return out_of_sight_.remembers(); }
@@ -56,12 +54,8 @@ class GuardMemory {
   /// Where the robot was at a stamp [s, ROS], by odometry; none: nobody knows.
   std::optional<Whereabouts> by_odometry_at(double stamp, const Went& went) const;
 
-  /// Whether that is known by odometry, and not by what the base was told. Each has a frame of its own.
-  bool goes_by_odometry() const { return by_odometry_; }
-
-  /// What was seen to rest, and shown `since` then [s, steady], as a sensor has it that looks from there.
-  std::vector<KnownPlace> resting(const Outlook& sensor, const Whereabouts& robot, const Instant& now,
-                                  double since = -std::numeric_limits<double>::infinity()) const;
+  /// What was seen to rest, as a sensor has it that looks from there.
+  std::vector<KnownPlace> resting(const Outlook& sensor, const Whereabouts& robot, const Instant& now) const;
 
   /// `shows`: of each sensor, whether its latest look is believed still. Holds until it is asked again.
   std::vector<Known> known_at(const Instant& now, const Went& went, const std::vector<GuardSensor>& sensors,
@@ -79,17 +73,17 @@ class GuardMemory {
   std::optional<Doubt> doubt_at(const Instant& now, const Went& went, const std::vector<GuardSensor>& sensors) const;
 
   OutOfSight out_of_sight_;
-  double odometry_drift_;               ///< [m/m], [rad/rad]
-  double margin_;                       ///< [m]
-  double time_;                         ///< [s] for which anything is kept
-  double fastest_, fastest_turn_;       ///< [m/s], [rad/s] of the robot
-  std::list<std::vector<Ring>> rings_;  ///< as they were asked for last: of all sensors, or of each
-  bool by_odometry_ = false;            ///< it is known where that is; or else by what the base was told
-  std::size_t breaks_ = 0;              ///< of the odometry, after which that began
-  std::optional<KeptPlaces> recalled_;  ///< of another process, and not placed yet
-  std::optional<KeptPlaces> latest_;    ///< without its places: when and where the latest look was taken
-  double latest_at_ = 0.0;              ///< [s, steady]
-  std::optional<double> jumped_;        ///< [s, ROS] since then odometry goes on, and not every sensor has looked
+  double odometry_drift_;                 ///< [m/m], [rad/rad]
+  double margin_;                         ///< [m]
+  double time_;                           ///< [s] for which anything is kept
+  double fastest_, fastest_turn_;         ///< [m/s], [rad/s] of the robot
+  std::vector<std::vector<Ring>> rings_;  ///< as they were asked for last: of all sensors, or of each
+  bool by_odometry_ = false;              ///< it is known where that is; or else by what the base was told
+  std::size_t breaks_ = 0;                ///< of the odometry, after which that began
+  std::optional<KeptPlaces> recalled_;    ///< of another process, and not placed yet
+  std::optional<KeptPlaces> latest_;      ///< without its places: when and where the latest look was taken
+  double latest_at_ = 0.0;                ///< [s, steady]
+  std::optional<double> jumped_;          ///< [s, ROS] since then odometry goes on, and not every sensor has looked
 };
 
 }  // namespace safety_control_cloud

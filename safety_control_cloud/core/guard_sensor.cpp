@@ -146,11 +146,6 @@ bool GuardSensor::note_pose(const std::optional<Pose2>& pose, double now) {
   return lost != nullptr;
 }
 
-void GuardSensor::note_given(const Twist2& twist, bool is_ours, double now) {
-  const bool goes_away = taken_ && dot(taken_->eye.direction, linear(twist)) < 0.0;
-  if (goes_away || !is_ours) reckons_since_ = now;
-}
-
 void GuardSensor::explain_loss(const std::vector<KnownPlace>& known, double time, double now) {
   const Loss* lost = loss();
   is_explained_ = lost && placed_ && lost_.are_among(known, placed_->pose, taken_->eye, time, now) &&

@@ -30,13 +30,6 @@ class GuardSensor {
   /// What it saw last was seen with the robot there; none: nobody knows. Whether something is lost from its sight.
   bool note_pose(const std::optional<Pose2>& pose, double now);
 
-  /// The robot is told this, if it is we who tell it. Of who has no odometry, nobody knows whether it does go away from
-  /// what it cannot see any more: from now on only what is shown again tells where that is.
-  void note_given(const Twist2& twist, bool is_ours, double now);
-
-  /// [s, steady] What was shown since then, and is not seen any more, lies no farther than by what the base was told.
-  double reckons_since() const { return reckons_since_; }
-
   /// What is known to be around it there, and for how long such is kept [s]: if that is all that is lost, nothing is.
   void explain_loss(const std::vector<KnownPlace>& known, double time, double now);
 
@@ -63,9 +56,6 @@ class GuardSensor {
 
   /// [s, ROS] When a reading was taken that comes now, as far as its stamp is believed.
   double taken_at(const Origin& origin, const Instant& now) const;
-
-  /// Whether all that it lost from sight is among what is known to be around.
-  bool is_loss_explained() const { return is_explained_ && loss(); }
 
   /// Whether what it lets one know is its latest look.
   bool shows() const { return collected_ == Collected::Now; }
@@ -119,7 +109,6 @@ class GuardSensor {
   Collected collected_ = Collected::Nothing;
   std::optional<LostSpots::Before> placed_;  ///< the latest that was believed
   LostSpots lost_;
-  double reckons_since_ = 0.0;          ///< [s] steady
   bool is_explained_ = false;           ///< what is lost in it, or why it is blind
   bool was_sound_ = false;              ///< nothing but what it cannot see any more speaks against it
   std::optional<double> last_arrival_;  ///< [s] steady

@@ -35,21 +35,6 @@ bool may_leave(const Known& known, const Twist2& wanted) {
   return leads_away_from(*known.eye, wanted) || (known.is_placed && !ahead);
 }
 
-Limit greater(const Limit& a, const Limit& b) { return b.factor > a.factor ? b : a; }
-
-/// The same at escape_speed at most.
-Limit limit_creeping(const Outline& outline, const Law& law, const Obstacles& obstacles, double age,
-                     const UnderWay& under_way, const Twist2& wanted) {
-  const double fastest = fastest_point(outline, wanted);
-  const double share = fastest > law.escape_speed ? law.escape_speed / fastest : 1.0;
-  if (!(share > 0.0)) return {0.0, {0.0, std::nullopt}, false};
-  Limit slow = limit(outline, law, obstacles, age, {under_way.twists, std::min(1.0, under_way.slowing / share)},
-                     limited(wanted, share));
-  slow.factor *= share;
-  slow.contact.time *= share;
-  return slow;
-}
-
 /// What the whole of a motion would run into, where the part of it that is left clears all.
 Contact on_the_path(const Outline& outline, const Obstacles& obstacles, const Twist2& wanted) {
   const Sweep sweep(outline, wanted);
@@ -215,11 +200,7 @@ Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Kn
   for (const Pose2& way : known.ways) {
     Obstacles moved = seen_after(way, ring.obstacles);
     if (is_shown) moved = beside_view(moved, *known.seen_by, outline_, wanted);
-    Limit limit = safety_control_cloud::limit(outline, law, moved, known.age, under_way, wanted);
-    if (limit.factor < 1.0 && known.spare > 0.0) {
-      const Outline narrower(widened(outline_, std::max(-known.law.noise, widening - known.spare)));
-      limit = greater(limit, limit_creeping(narrower, law, moved, known.age, under_way, wanted));
-    }
+    const Limit limit = safety_control_cloud::limit(outline, law, moved, known.age, under_way, wanted);
     if (!(limit.factor < least.factor)) continue;
     const Contact decider = limit.contact.point ? limit.contact : on_the_path(outline, moved, wanted);
     least = {limit.factor, decider.time, std::nullopt, known.sensor, Cause::Seen, "something lies beside the path"};

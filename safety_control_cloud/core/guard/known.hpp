@@ -36,7 +36,6 @@ struct Known {
   std::optional<ZoneCap> cap;  ///< on what leads to where it looks
   bool is_touched = false;     ///< by what was lost: then slowly, though another sensor looks there
   bool is_reckoned = false;    ///< nobody knows well where it is: see Guard::by_ring
-  double spare = 0.0;  ///< [m] of the margin that covers where it is, too, for who goes no faster than escape_speed
   std::optional<Eye> seen_by;  ///< that, if it looks still
 };
 

@@ -44,9 +44,6 @@ class LooksTaken {
   /// None: it is forgotten.
   const Taken* find(std::uint64_t look) const;
 
-  /// Of a sensor one of whose looks is not forgotten.
-  const Taken& latest_of(std::size_t sensor) const { return *find(latest_of_.at(sensor)); }
-
   /// Of all the way until the robot is there.
   Drift drift_until(const Whereabouts& robot) const;
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace safety_control_cloud {
@@ -223,11 +222,10 @@ void OutOfSight::recall(const std::vector<KeptPlace>& places, std::size_t sensor
   }
 }
 
-std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Whereabouts& robot, double now,
-                                            double since) const {
+std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Whereabouts& robot, double now) const {
   std::vector<KnownPlace> places;
   for_each(robot, now, [&](const Place& place, const Here& here) {
-    if (here.look.at - place.first_seen < rests_for || here.look.at < since || here.off > well_known) return;
+    if (here.look.at - place.first_seen < rests_for || here.off > well_known) return;
     const double off = here.off + limits_.speed * (now - here.look.at);
     places.push_back({here.place, camera.seen_from_camera(in_axes(here.place, place.z)), off});
   });
@@ -235,18 +233,11 @@ std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Whereab
 }
 
 std::vector<Ring> OutOfSight::rings(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows,
-                                    std::optional<std::size_t> of, double most_off) const {
+                                    std::optional<std::size_t> of) const {
   std::vector<Ring> rings;
   for (std::size_t i = 0; i < displaced.size(); ++i) rings.push_back({reach, {}});
-  std::map<std::size_t, WaySince> until_latest;  // of each sensor
-  const auto off_then = [&](const Place& place, const Here& here) {
-    const std::size_t sensor = here.look.sensor;
-    const auto way = until_latest.try_emplace(sensor, looks_, looks_.latest_of(sensor).robot).first;
-    return own_size + place.off + way->second.off(place.look, here.range);
-  };
   for_each(robot, now, [&](const Place& place, const Here& here) {
     if (of && here.look.sensor != *of) return;
-    if (std::isfinite(most_off) && off_then(place, here) > most_off) return;
     const bool is_shown = shows[here.look.sensor] && looks_.is_latest_of_its_sensor(place.look);
     if (is_shown || here.range - here.off > reach) return;
     const auto fits = std::lower_bound(displaced.begin(), displaced.end() - 1, here.off);

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -62,17 +61,15 @@ class OutOfSight {
   /// Whether anything is.
   bool holds_any(double now) const;
 
-  /// What is kept, was seen to rest and was shown `since` then [s] steady, around the robot, and as a camera there has
-  /// it. What walks leaves a trail of places, of which each was shown for a moment.
-  std::vector<KnownPlace> resting(const Outlook& camera, const Whereabouts& robot, double now, double since) const;
+  /// What is kept and was seen to rest, around the robot, and as a camera there has it. What walks leaves a trail of
+  /// places, of which each was shown for a moment.
+  std::vector<KnownPlace> resting(const Outlook& camera, const Whereabouts& robot, double now) const;
 
   /// What is kept and not shown by the latest look of its sensor, around the robot, out to `reach` [m]; by how much it
   /// may have been displaced meanwhile. `shows`: of each sensor, whether its latest look is believed still.
-  /// `of`: what this sensor saw; none: all of them. Nothing that may
-  /// have been displaced by more than `most_off` [m] already when its sensor looked last.
+  /// `of`: what this sensor saw; none: all of them.
   std::vector<Ring> rings(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows,
-                          std::optional<std::size_t> of = std::nullopt,
-                          double most_off = std::numeric_limits<double>::infinity()) const;
+                          std::optional<std::size_t> of = std::nullopt) const;
 
  private:
   struct Place {
