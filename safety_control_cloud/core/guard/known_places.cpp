@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <set>
+#include <map>
 #include <utility>
 
 namespace safety_control_cloud {
@@ -20,6 +20,7 @@ constexpr double lowest_rows = 0.3;    ///< of the picture: what ends above them
 constexpr double beside = 0.04;        ///< [m] a spot may lie by as much to twice as much beside what is known of it
 constexpr double nearly_all = 0.9;     ///< of the spots: some lie in the air behind an edge
 constexpr double most_off = 0.05;      ///< [m] what may lie farther from its place tells nothing
+constexpr double going = 0.3;  ///< [s] in which a thing goes out of sight, shown in one picture and not in the next
 
 using Parts = std::array<bool, parts>;
 using Cell = std::pair<long, long>;
@@ -84,9 +85,11 @@ void LostSpots::forget_places() {
 
 bool LostSpots::are_among(const std::vector<KnownPlace>& known, const Pose2& pose, const Eye& eye, double time,
                           double now) const {
-  std::set<Cell> filled;
+  std::map<Cell, double> shown_at;  // [s] what was shown so long ago, at least, is there
   for (const KnownPlace& one : known) {
-    if (one.off <= most_off) filled.insert(cell_of(one.place));
+    if (one.off > most_off) continue;
+    double& at = shown_at.try_emplace(cell_of(one.place), one.shown_at).first->second;
+    at = std::min(at, one.shown_at);
   }
   const SeenAfter seen_after(pose);
   const auto is_known = [&](const auto& spot) {
@@ -94,9 +97,12 @@ bool LostSpots::are_among(const std::vector<KnownPlace>& known, const Pose2& pos
     if (!lost.place) return false;
     const Point2 here = seen_after(*lost.place);
     const auto [x, y] = cell_of(here);
-    for (const long ahead : {-1, 0, 1})
-      for (const long left : {-1, 0, 1})
-        if (filled.count({x + ahead, y + left}) > 0) return true;
+    for (const long ahead : {-1, 0, 1}) {
+      for (const long left : {-1, 0, 1}) {
+        const auto known_there = shown_at.find({x + ahead, y + left});
+        if (known_there != shown_at.end() && known_there->second <= lost.since + going) return true;
+      }
+    }
     return now - lost.since > time && !eye.sees(here);
   };
   const auto known_ones = static_cast<double>(std::count_if(spots_.begin(), spots_.end(), is_known));

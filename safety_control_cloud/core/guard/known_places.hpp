@@ -19,6 +19,7 @@ struct KnownPlace {
   Point2 place;            ///< [m] in base_frame
   Point seen_from_camera;  ///< [m] in the frame of the camera that asks
   double off;              ///< [m] by which it may be displaced
+  double shown_at = 0.0;   ///< [s] steady, last
 };
 
 /// Whether what is known to stand nearer than the camera can see (`blind_range` [m] ahead of it) hides all of the near
@@ -43,7 +44,8 @@ class LostSpots {
   /// Where they are, nobody knows any more: the frame is another one.
   void forget_places();
 
-  /// Whether nearly all of them are among what is known around a robot at `pose`, or have been lost for `time` [s] and
+  /// Whether nearly all of them are among what is known around a robot at `pose` and was shown last when they were: the
+  /// rest of a long thing, which is still shown, tells nothing of its end. Or have been lost for `time` [s] and
   /// lie elsewhere than where the eye looks.
   bool are_among(const std::vector<KnownPlace>& known, const Pose2& pose, const Eye& eye, double time,
                  double now) const;

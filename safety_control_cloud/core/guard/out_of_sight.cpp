@@ -227,7 +227,7 @@ std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Whereab
   for_each(robot, now, [&](const Place& place, const Here& here) {
     if (here.look.at - place.first_seen < rests_for || here.off > well_known) return;
     const double off = here.off + limits_.speed * (now - here.look.at);
-    places.push_back({here.place, camera.seen_from_camera(in_axes(here.place, place.z)), off});
+    places.push_back({here.place, camera.seen_from_camera(in_axes(here.place, place.z)), off, here.look.at});
   });
   return places;
 }

@@ -202,5 +202,34 @@ TEST(LostSpots, WhatIsNotBeforeTheCameraIsForgottenAfterAWhileAndNoSooner) {
   EXPECT_EQ(facing.wants(ahead).factor, 0.0) << facing.wants(ahead).reason;
 }
 
+/// A pallet, as a camera sees it from above: a front, and farther and farther parts of its top.
+Scene pallet_at(float ahead) {
+  std::vector<Board> boards{{3.0f, -9.0f, 9.0f, -9.0f, floor_y}, {ahead, -0.3f, 0.3f, 0.15f, floor_y}};
+  for (float z = ahead + 0.02f; z < ahead + 0.6f; z += 0.02f)  // as high as no ray passes between
+    boards.push_back({z, -0.3f, 0.3f, 0.15f * z / (z + 0.02f), 0.15f});
+  return Scene(boards);
+}
+
+/// What is left between its hull and the pallet [m], once it has driven up to it, stood so long and gone on for a
+/// while.
+double left_before_a_pallet(double stood) {
+  RobotWithOdometry robot;
+  drives_up(robot, pallet_at);
+  float ahead = 0.36f;
+  robot.passes(stood, pallet_at(ahead));
+  for (int i = 0; i < 100; ++i) {
+    const double way = 0.05 * 0.2 * robot.wants({0.2, 0.0, 0.0}).factor;
+    robot.pose.place.x += way;
+    ahead -= static_cast<float>(way);
+    robot.passes(0.05, pallet_at(ahead));
+  }
+  return double{ahead} - 0.087 - 0.178;
+}
+
+/// The rest of a long thing is in view as long as its end is not.
+TEST(LostSpots, TheEndOfALongThingIsNotKnownByTheRestOfIt) {
+  for (const double stood : {0.5, 3.0, 31.5}) EXPECT_GT(left_before_a_pallet(stood), 0.03) << stood;
+}
+
 }  // namespace
 }  // namespace safety_control_cloud
