@@ -2,6 +2,7 @@
 #include "connected.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>

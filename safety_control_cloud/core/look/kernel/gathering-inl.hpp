@@ -73,23 +73,14 @@ struct Both {
 
 /// And places them once.
 template <class Count, class Gather>
-struct BothAlike {
-  static constexpr std::size_t at_once = lanes;
-
-  Count counting;
-  Gather gathering;
-
-  HWY_INLINE BothAlike(const Count& count, const Gather& gather) : counting(count), gathering(gather) {}
-
-  HWY_INLINE void go_on_from(const BothAlike& other) {
-    counting.go_on_from(other.counting);
-    gathering.go_on_from(other.gathering);
-  }
+struct BothAlike : Both<Count, Gather> {
+  /// Not inherited: such a one would not be compiled for the instruction set.
+  HWY_INLINE BothAlike(const Count& count, const Gather& gather) : Both<Count, Gather>(count, gather) {}
 
   template <class Source>
   HWY_INLINE void take(const Source& source, std::size_t column, std::size_t) {
-    const auto found = counting.note(source.at(column));
-    gathering.note_placed(found.placed, found.returning);
+    const auto found = this->counting.note(source.at(column));
+    this->gathering.note_placed(found.placed, found.returning);
   }
 };
 
