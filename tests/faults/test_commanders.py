@@ -6,7 +6,7 @@ import time
 import pytest
 from commanders import ITS_END, NOTICED, commander, first, is_doubted, is_of, mean_speed
 from diagnostic_msgs.msg import DiagnosticArray
-from robot import AGAIN, Heard, after, eventually, node_under_test
+from robot import AGAIN, NODE, Heard, after, eventually, node_under_test
 
 from safety_control_cloud.msg import SafetyState
 
@@ -48,7 +48,10 @@ def test_two_instances_both_stand_and_do_not_answer_each_others_zeros(robot):
     with node_under_test("__name:=second"):
         first(robot.states, is_doubted, time.monotonic() - 1.0)
         second.until(is_doubted)
-        since = time.monotonic()
+        doubted = time.monotonic()
+        for name in (NODE, "/second"):
+            first(robot.commands, lambda command: is_of(name)(command) and command.linear.x == 0.0, doubted)
+        since = time.monotonic()  # what each had said before has arrived: states and commands come by ways of their own
         time.sleep(2.0)
         commands = [command.linear.x for _, command in after(since, robot.commands)]
         assert set(commands) == {0.0}
