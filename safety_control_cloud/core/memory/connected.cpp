@@ -26,6 +26,21 @@ Word word_at(const std::uint8_t* from) {
 
 std::size_t whole_words(std::size_t slots) { return (slots + in_word - 1) / in_word * in_word; }
 
+static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the first mark is the least of its word");
+
+/// The first so many marks of a word.
+constexpr Word first_of(std::size_t marks) { return (Word{1} << (8 * marks)) - 1; }
+
+/// Which of a word's marks are set.
+template <class Do>
+void for_each_mark_in(Word marks, const Do& does) {
+  while (marks != 0) {
+    const auto which = static_cast<std::size_t>(__builtin_ctzll(marks)) / 8;
+    marks &= ~(Word{0xff} << (8 * which));
+    does(which);
+  }
+}
+
 }  // namespace
 
 Connected::Connected(const NearPixels& found, float jump)
@@ -67,9 +82,8 @@ void Connected::connect_along(Line& line, Index begin) {
   std::size_t since = 0;
   Index latest = no_run;
   for (std::size_t first = 0; first < slots; first += in_word) {
-    if (word_at(begins_.data() + first) == 0) continue;
-    for (std::size_t i = first; i < first + in_word; ++i) {
-      if (begins_[i] == 0) continue;
+    for_each_mark_in(word_at(begins_.data() + first), [&](std::size_t which) {
+      const std::size_t i = first + which;
       std::fill(run + since, run + i, latest);
       latest = runs_.add();
       since = i;
@@ -77,7 +91,7 @@ void Connected::connect_along(Line& line, Index begin) {
       const Index here = begin + static_cast<Index>(i);
       if (!stretches_.empty()) stretches_.back().end = std::min(stretches_.back().end, here);
       stretches_.push_back({here, begin + static_cast<Index>(slots)});
-    }
+    });
   }
   std::fill(run + since, run + slots, latest);
 }
@@ -93,19 +107,17 @@ void Connected::connect_up(Line& line, Line& above, Line& next) {
     ups = 0;
   };
   for (std::size_t first = 0; first < up_.size(); first += in_word) {
-    const Word some = word_at(up_.data() + first);
-    if ((some & in_each(lines::IsOther | lines::OtherRun)) == 0) {
-      ups |= some;
-      continue;
-    }
-    for (std::size_t i = first; i < std::min(first + in_word, found_.slots); ++i) {
-      if (up_[i] & (lines::IsOther | lines::OtherRun)) {
-        join();
-        run = line.run[gap + i], run_above = above.run[gap + i], run_next = next.run[gap + i];
-      }
-      if (up_[i] & lines::OtherRun && !join_aside(line, above, gap + i)) join_aside(line, next, gap + i);
-      ups |= up_[i];
-    }
+    Word some = word_at(up_.data() + first);
+    for_each_mark_in(some & in_each(lines::IsOther | lines::OtherRun), [&](std::size_t which) {
+      const Word before = some & first_of(which);
+      ups |= before;
+      some ^= before;
+      join();
+      const std::size_t at = gap + first + which;
+      run = line.run[at], run_above = above.run[at], run_next = next.run[at];
+      if (up_[first + which] & lines::OtherRun && !join_aside(line, above, at)) join_aside(line, next, at);
+    });
+    ups |= some;
   }
   join();
 }
