@@ -78,9 +78,10 @@ BorrowedCloud cloud_of_image(const py::buffer& data, std::uint32_t height, std::
 }
 
 core::Depth unit_of(const py::array& image) {
-  const py::dtype dtype = image.dtype();
-  if (dtype.kind() == 'f' && dtype.itemsize() == 4) return core::Depth::Metres;
-  if (dtype.kind() == 'u' && dtype.itemsize() == 2) return core::Depth::Millimetres;
+  // By its name: pybind11 before 2.12 reads an item's size from where NumPy 2 has something else.
+  const auto name = image.dtype().attr("name").cast<std::string>();
+  if (name == "float32") return core::Depth::Metres;
+  if (name == "uint16") return core::Depth::Millimetres;
   throw py::type_error("image must be float32 [m] or uint16 [mm]");
 }
 
