@@ -85,6 +85,7 @@ std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origi
   const auto* placed = std::get_if<Outlook>(&outlook);
   const auto alongside = placed ? std::optional(around_.begin(*placed)) : std::nullopt;
   sensor_.see(reading, facing, now, Crop::Skip, alongside ? &*alongside : nullptr);
+  if (sensor_.is_near_noted()) placed_.reset();  // what it loses now may have been shown later than by that look
   if (!std::holds_alternative<Seen>(sensor_.answer())) return std::nullopt;
   was_sound_ = true;
   return take(reading, origin, std::get<Outlook>(outlook), now, given);  // there is, or nothing were seen

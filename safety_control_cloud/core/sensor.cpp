@@ -59,6 +59,7 @@ void Sensor::see(const Reading& reading, const Origin& origin, const Instant& no
                  const Alongside* alongside) {
   last_arrival_ = now.steady;
   counted_ = Sight{};
+  is_near_noted_ = false;
   answer_ = answer_to(reading, origin, now, crop, alongside);
 }
 
@@ -98,11 +99,12 @@ Answer Sensor::look_at(const Reading& reading, const Outlook& outlook, const Ori
     counted_ = look_alongside(view, outlook, crop, rows, alongside);
   }
   if (auto doubt = turns_.note(picture_of(counted_, origin), now, settings_.source_timeout)) return *std::move(doubt);
-  if (auto doubt = blind_.note(returned_in(view, counted_), settings_, now)) return *std::move(doubt);
+  auto blind = blind_.note(returned_in(view, counted_), settings_, now);
   const auto* scan = std::get_if<ScanView>(&reading);
-  if (auto doubt =
-          scan ? doubt_about_plane(*scan, outlook, settings_.limits) : doubt_about_aim(view, outlook, settings_.limits))
-    return *std::move(doubt);
+  auto aim =
+      scan ? doubt_about_plane(*scan, outlook, settings_.limits) : doubt_about_aim(view, outlook, settings_.limits);
+  if (blind && !aim) is_near_noted_ = near_loss_.note_blind(view, counted_, outlook, now);
+  if (blind || aim) return blind ? *std::move(blind) : *std::move(aim);
   if (auto doubt = frozen_.note(view, origin.stamp, settings_.frozen_clouds)) return *std::move(doubt);
   auto loss = near_loss_.judge(view, counted_, outlook, now);
   const bool is_cut_off = near_loss_.cuts_off(counted_, outlook);

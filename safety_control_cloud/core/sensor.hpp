@@ -68,6 +68,9 @@ class Sensor {
   /// What was counted in the latest reading, whether or not it is believed; all zero if it could not be looked at.
   const Sight& counted() const { return counted_; }
 
+  /// Whether the latest reading is blind, and yet shows something near, which is remembered.
+  bool is_near_noted() const { return is_near_noted_; }
+
   /// Forgets the near obstacles that were lost from sight, and how much and how soon the camera used to show: somebody
   /// has looked.
   void forget_losses();
@@ -95,6 +98,7 @@ class Sensor {
   BlindWatch blind_;
   FrozenWatch frozen_;
   NearLoss near_loss_;
+  bool is_near_noted_ = false;
   bool recalled_ = false;               ///< what is lost was lost by another process
   std::optional<double> last_arrival_;  ///< [s] steady
   Answer answer_ = Doubt{Cause::NoCloud, "no cloud has arrived yet"};

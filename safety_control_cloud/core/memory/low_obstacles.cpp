@@ -111,16 +111,29 @@ bool LowObstacles::shows(const Beside& step) const {
 }
 
 void LowObstacles::survey(const NearGround& ground) {
+  note(ground);
+  for (std::size_t i = 0; i < ground.columns(); ++i)
+    if (!shows_step(i, ground) && !hides_floor(i)) floor_[i] = 0;
+}
+
+/// Nearer, the lowest pixel shows more and more of the step.
+void LowObstacles::note(const NearGround& ground) {
+  look_at(ground);
+  for (std::size_t i = 0; i < ground.columns(); ++i)
+    if (shows_step(i, ground)) floor_[i] = std::max(floor_[i], lowest_[i]);
+}
+
+/// One pixel alone may be noise.
+bool LowObstacles::shows_step(std::size_t column, const NearGround& ground) const {
+  return above_[column] >= 2 && !ground.is_near(column);
+}
+
+void LowObstacles::look_at(const NearGround& ground) {
   floor_ = stretched(std::move(floor_), ground.columns());
   lowest_.assign(ground.columns(), none);
   above_.assign(ground.columns(), 0);
   for (std::size_t row = 0; row < ground.rows(); ++row) {
     if (ground.shows_ground(row)) look_at_row(ground.row(row));  // all others change nothing
-  }
-  for (std::size_t i = 0; i < ground.columns(); ++i) {
-    const bool step = above_[i] >= 2 && !ground.is_near(i);  // one pixel alone may be noise
-    if (step) floor_[i] = std::max(floor_[i], lowest_[i]);   // nearer, the lowest pixel shows more and more of the step
-    if (!step && !hides_floor(i)) floor_[i] = 0;
   }
 }
 

@@ -29,6 +29,9 @@ class LowObstacles {
   std::optional<Loss> judge(const NearGround& ground, const Pixels& picture, const Outlook& outlook,
                             const Patience& patience);
 
+  /// Of a picture that shows too little to forget anything: what is seen in it is kept.
+  void note(const NearGround& ground);
+
   /// The next picture lies in this frame.
   void move_to(const Frame& frame);
 
@@ -52,6 +55,8 @@ class LowObstacles {
   std::vector<Beside> all_steps() const;
   bool shows(const Beside& step) const;
   void survey(const NearGround& ground);
+  void look_at(const NearGround& ground);
+  bool shows_step(std::size_t column, const NearGround& ground) const;
   void forget_old(const Patience& patience);
   void look_at_row(const Millimetres* codes);
   bool is_step(std::size_t column) const { return floor_[column] > 0; }

@@ -99,14 +99,60 @@ std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const 
   return loss;
 }
 
-std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sight, const Outlook& outlook,
-                                              const Patience& patience) {
+bool NearLoss::note_blind(const View& view, const Sight& sight, const Outlook& outlook, double now) {
+  if (limits_.distance <= 0.0) return false;
+  const bool any =
+      is_picture(view) ? note_picture(view, sight, outlook) : shows_near(sight, outlook) && note_points(view, outlook);
+  if (any) write_down(written_lost_, now);
+  return any;
+}
+
+bool NearLoss::note_picture(const View& view, const Sight& sight, const Outlook& outlook) {
+  const Pixels picture = framed(view, outlook);
+  ground_.look_at(picture, outlook, near_distance());
+  const bool any =
+      shows_near(sight, outlook) && note({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels});
+  low_.note(ground_);
+  return any;
+}
+
+bool NearLoss::note_points(const View& view, const Outlook& outlook) {
+  const View raster = raster_.picture_of_few(view, outlook.corridor);
+  Pixels picture(raster, outlook.corridor.range_min);
+  picture.frame(raster_.framing());
+  move_to({picture.width(), picture.height(), raster_.rays()});
+  ground_.look_at(picture, outlook, near_distance());
+  const Sight in_raster = look(raster, outlook, Crop::Skip, Rows::Apart);
+  const std::size_t least = std::min(least_pixels, 1 + raster_.filled() / pixels_of_few);
+  return note({picture, outlook, in_raster.nearest_in_rows, watched_distance(), least});
+}
+
+bool NearLoss::note(const NearSearch& search) {
+  auto things = near_things(search);
+  if (things.empty()) return false;
+  ground_.place(things, search.picture, search.outlook);
+  things_.update_by_little(std::move(things), search.picture, axis_of(search.outlook));
+  return true;
+}
+
+bool NearLoss::shows_near(const Sight& sight, const Outlook& outlook) const {
+  return sight.nearest && sight.nearest->distance() - outlook.camera().z < watched_distance();
+}
+
+/// In the frame that is known of it, in which what is remembered lies from then on.
+Pixels NearLoss::framed(const View& view, const Outlook& outlook) {
   Pixels picture(view, outlook.corridor.range_min);
   const Frame frame{picture.width(), picture.height(), optics_.look_at(view, picture)};
   const double share = share_of_angle(frame_, frame);
   if (move_to(frame)) things_.scale_sizes(share);
   low_.move_to(frame);
   picture.look_along(frame.rays);
+  return picture;
+}
+
+std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sight, const Outlook& outlook,
+                                              const Patience& patience) {
+  Pixels picture = framed(view, outlook);
   picture.frame(margins_.note(picture));
   ground_.look_at(picture, outlook, near_distance());
   remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels}, 1, patience);
@@ -128,8 +174,7 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
 /// may fill a hole in it for a moment.
 std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight, const Outlook& outlook,
                                            const Patience& patience) {
-  const bool any_near = sight.nearest && sight.nearest->distance() - outlook.camera().z < watched_distance();
-  const bool free = things_.empty() && !any_near;
+  const bool free = things_.empty() && !shows_near(sight, outlook);
   if (free && !raster_.usual().learns()) return std::nullopt;
   const View raster = raster_.picture_of(view, outlook.corridor, !free);
   if (free) return std::nullopt;

@@ -57,11 +57,20 @@ class NearLoss {
   /// What of the near obstacles is lost in this cloud, which look() has just seen. `now` [s], steady.
   std::optional<Loss> judge(const View& view, const Sight& sight, const Outlook& outlook, double now);
 
+  /// A cloud that is blind shows too little to say what is free: what is near in it is remembered, nothing is forgiven,
+  /// and what it does not show is none of it lost. Whether anything is near in it.
+  bool note_blind(const View& view, const Sight& sight, const Outlook& outlook, double now);
+
  private:
   std::optional<Loss> judge_organised(const View& view, const Sight& sight, const Outlook& outlook,
                                       const Patience& patience);
   std::optional<Loss> judge_points(const View& view, const Sight& sight, const Outlook& outlook,
                                    const Patience& patience);
+  bool note_picture(const View& view, const Sight& sight, const Outlook& outlook);
+  bool note_points(const View& view, const Outlook& outlook);
+  bool note(const NearSearch& search);
+  Pixels framed(const View& view, const Outlook& outlook);
+  bool shows_near(const Sight& sight, const Outlook& outlook) const;
   void remember(const NearSearch& search, std::uint8_t clouds_of_floor, const Patience& patience);
   std::optional<Loss> lost(const Outlook& outlook) const;
   bool is_lost(const Remembered& thing, const Spot& spot, const Outlook& outlook) const;

@@ -101,13 +101,37 @@ Framing Raster::framing() const {
 }
 
 View Raster::picture_of(const View& points, const Corridor& corridor, bool anything_near) {
+  take(points, corridor);
+  if (!returns_.empty()) fit(returns_);
+  fill();
+  usual_.note(cells_, grid_.width, anything_near);
+  return view();
+}
+
+View Raster::picture_of_few(const View& points, const Corridor& corridor) {
+  take(points, corridor);
+  const bool is_fitted = extent_.left <= extent_.right;
+  if (!returns_.empty() && !is_fitted) fit(returns_);
+  const auto is_beside = [this](const Point& point) {
+    const std::ptrdiff_t row = grid_.row(point), column = grid_.column(point);
+    return row < 0 || column < 0 || row >= static_cast<std::ptrdiff_t>(grid_.height) ||
+           column >= static_cast<std::ptrdiff_t>(grid_.width);
+  };
+  returns_.erase(std::remove_if(returns_.begin(), returns_.end(), is_beside), returns_.end());
+  fill();
+  return view();
+}
+
+void Raster::take(const View& points, const Corridor& corridor) {
   returns_.clear();
   for_each_point(points, [&](float x, float y, float z) {
     if (!is_return(x, y, z, corridor)) return;
     const Point point(x, y, z);
     if (is_ahead(point)) returns_.push_back(point);
   });
-  if (!returns_.empty()) fit(returns_);
+}
+
+void Raster::fill() {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   cells_.assign(grid_.width * grid_.height, {nan, nan, nan});
   hits_.take(grid_, returns_);
@@ -119,7 +143,9 @@ View Raster::picture_of(const View& points, const Corridor& corridor, bool anyth
     filled_ += std::isnan(cell[2]);
     if (!(cell[2] <= point.z)) cell = {point.x, point.y, point.z};
   }
-  usual_.note(cells_, grid_.width, anything_near);
+}
+
+View Raster::view() const {
   CloudView view;
   view.bytes = reinterpret_cast<const std::uint8_t*>(cells_.data());
   view.width = grid_.width;

@@ -23,6 +23,9 @@ class Raster {
   /// `anything_near`: something near is remembered.
   View picture_of(const View& points, const Corridor& corridor, bool anything_near);
 
+  /// Of few points, of which nothing is learned, the picture in the cells there are. What lies beside is left out.
+  View picture_of_few(const View& points, const Corridor& corridor);
+
   std::size_t filled() const { return filled_; }  ///< cells that hold a return
   const Grid& grid() const { return grid_; }
   const RayHits& hits() const { return hits_; }
@@ -36,7 +39,10 @@ class Raster {
     float left = std::numeric_limits<float>::infinity(), top = left, right = -left, bottom = -left;
   };
 
+  void take(const View& points, const Corridor& corridor);
   void fit(const std::vector<Point>& returns);
+  void fill();
+  View view() const;
 
   Grid grid_;
   Extent extent_;

@@ -66,7 +66,8 @@ void ThingsMemory::scale_sizes(double by) {
 
 void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor, float near,
                           const Axis& axis) {
-  follow(std::move(seen));
+  auto before = follow(std::move(seen));
+  for (std::size_t i = 0; i < things_.size(); ++i) lose(things_[i], std::move(before[i]));
   unlearn_blind_range();
   const bool rest = !axis_ || are_same(*axis_, axis, rests);
   for (Remembered& thing : things_) {
@@ -74,9 +75,38 @@ void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const 
     if (rest) ask(thing, picture, floor, axis);
   }
   axis_ = axis;
-  things_.erase(std::remove_if(things_.begin(), things_.end(),
-                               [](const Remembered& thing) { return !thing.is_seen() && thing.lost.empty(); }),
-                things_.end());
+  drop_empty();
+}
+
+/// Nothing goes for what is seen behind it, and nothing vanishes: what does not return counts as seen until a picture
+/// says more, but where something else is seen now.
+void ThingsMemory::update_by_little(std::vector<Thing> seen, const Pixels& picture, const Axis& axis) {
+  auto before = follow(std::move(seen));
+  const bool rest = !axis_ || are_same(*axis_, axis, rests);
+  const auto is_there = [&](const Spot& spot) {
+    return rest && spot.axis && are_same(*spot.axis, axis, same_axis) && evidence_of(spot, picture) == Evidence::There;
+  };
+  const auto drop_what_is_there = [&](std::vector<Spot>& spots) {
+    spots.erase(std::remove_if(spots.begin(), spots.end(), is_there), spots.end());
+  };
+  for (std::size_t i = 0; i < things_.size(); ++i) {
+    Remembered& thing = things_[i];
+    if (thing.is_seen()) {
+      lose(thing, std::move(before[i]));
+    } else {
+      drop_what_is_there(before[i].spots);
+      thing.seen = std::move(before[i]);
+    }
+    drop_what_is_there(thing.lost);
+  }
+  unlearn_blind_range();
+  axis_ = axis;
+  drop_empty();
+}
+
+void ThingsMemory::drop_empty() {
+  const auto is_empty = [](const Remembered& thing) { return !thing.is_seen() && thing.lost.empty(); };
+  things_.erase(std::remove_if(things_.begin(), things_.end(), is_empty), things_.end());
 }
 
 void ThingsMemory::forget_old(const Patience& patience) {
@@ -115,36 +145,34 @@ void ThingsMemory::unlearn_blind_range() {
   for (Remembered& thing : things_) thing.vanished = false;
 }
 
-/// Which of the things that were seen are those that are seen now: the ones that have most in common.
-void ThingsMemory::follow(std::vector<Thing> seen) {
-  std::vector<std::vector<Spot>> before;
-  std::vector<double> size_before;
+/// Which of the things that were seen are those that are seen now: the ones that have most in common. Of each thing
+/// what was seen before, unless it has moved as a whole.
+std::vector<Thing> ThingsMemory::follow(std::vector<Thing> seen) {
+  std::vector<Thing> before;
   for (Remembered& thing : things_) {
-    before.push_back(std::move(thing.seen.spots));
-    size_before.push_back(thing.seen.size);
-    thing.seen = Thing{};
-    thing.seen.size = size_before.back();  // as it was seen last
+    before.push_back(std::exchange(thing.seen, Thing{}));
+    thing.seen.size = before.back().size;  // as it was seen last
   }
   for (Thing& now : seen) {
     std::size_t best = things_.size();
     const double least = now.at_border ? 0.05 : 0.25;  // what leaves the corridor may lose most of it in one step
     double most = 0.0;
     for (std::size_t i = 0; i < before.size(); ++i) {
-      if (before[i].empty() || things_[i].is_seen()) continue;
-      const Likeness alike = likeness_of(before[i], now);
-      const double as_large = std::min(1.0, now.size / size_before[i]);
+      if (before[i].spots.empty() || things_[i].is_seen()) continue;
+      const Likeness alike = likeness_of(before[i].spots, now);
+      const double as_large = std::min(1.0, now.size / before[i].size);
       const double all_in_all = as_large * (alike.share + alike.closeness);
       if (alike.share * as_large > least && all_in_all > most) best = i, most = all_in_all;
     }
     if (best == things_.size()) {
       things_.emplace_back();
       before.emplace_back();
-      size_before.push_back(0.0);
     }
     Remembered& thing = things_[best];
-    const bool same = now.size > same_size * size_before[best] && size_before[best] > same_size * now.size &&
-                      now.size > same_size * thing.size;
-    if (same && thing.lost.empty()) before[best].clear();
+    const double size_before = before[best].size;
+    const bool same =
+        now.size > same_size * size_before && size_before > same_size * now.size && now.size > same_size * thing.size;
+    if (same && thing.lost.empty()) before[best].spots.clear();
     thing.size = std::max(thing.size, now.size);
     thing.at_border = now.at_border;
     thing.is_slight = now.is_slight;
@@ -157,10 +185,12 @@ void ThingsMemory::follow(std::vector<Thing> seen) {
     thing.vanished = false;
     ++thing.clouds;
   }
-  for (std::size_t i = 0; i < things_.size(); ++i) {
-    const bool was_noise = things_[i].is_slight && things_[i].clouds < 2;
-    if (!was_noise) append(things_[i].lost, std::move(before[i]));
-  }
+  return before;
+}
+
+void ThingsMemory::lose(Remembered& thing, Thing before) {
+  const bool was_noise = thing.is_slight && thing.clouds < 2;
+  if (!was_noise) append(thing.lost, std::move(before.spots));
 }
 
 void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Axis& axis) {

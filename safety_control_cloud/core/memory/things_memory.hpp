@@ -12,7 +12,7 @@ namespace safety_control_cloud {
 
 /// A thing that came near, over many clouds.
 struct Remembered {
-  Thing seen;              ///< as the latest cloud shows it; no spots if it does not
+  Thing seen;              ///< as the latest cloud shows it that is not blind for it; no spots if it does not
   std::vector<Spot> lost;  ///< what was seen of it, and now is neither seen nor seen past
   double size = 0.0;       ///< [m2] at most
   double freed = 0.0;      ///< [m2] of the lost, since it was last seen, that is seen past by now
@@ -57,6 +57,8 @@ class ThingsMemory {
 
   /// Nearer than `near` [m] ahead of the camera is near.
   void update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor, float near, const Axis& axis);
+  /// In a picture most of which returns nothing, only what is seen counts: what is not may be there all the same.
+  void update_by_little(std::vector<Thing> seen, const Pixels& picture, const Axis& axis);
   /// Drops what has been lost for too long, and nothing else.
   void forget_old(const Patience& patience);
 
@@ -77,10 +79,12 @@ class ThingsMemory {
   void restore(std::vector<Remembered> things, float blind_range);
 
  private:
-  void follow(std::vector<Thing> seen);
+  std::vector<Thing> follow(std::vector<Thing> seen);
+  static void lose(Remembered& thing, Thing before);
   void ask(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Axis& axis);
   void note_vanished(Remembered& thing, const Pixels& picture, float near);
   void unlearn_blind_range();
+  void drop_empty();
 
   std::vector<Remembered> things_;
   float blind_range_ = 0.0f;

@@ -139,6 +139,24 @@ TEST(Blindness, ThatGoesOnWhereTheWallIsNotIsOfAnotherCause) {
   EXPECT_EQ(robot.wants(about).factor, 0.0);
 }
 
+/// Where it was when it was blind, nobody asked: by where it was before, this one were where another is known to be.
+TEST(LostSpots, WhatCameNearBeforeABlindCameraOfARobotThatBacksOffIsUnknown) {
+  const Board person = {0.3f, -0.4f, 0.14f, -1.0f, floor_y};
+  const auto other = [](float ahead) { return Board{ahead, 0.1f, 0.24f, -0.3f, 0.05f}; };
+  RobotWithOdometry robot;
+  robot.passes(1.0, board_at(0.45f));
+  for (int i = 0; i < 30; ++i) {
+    robot.pose.place.x -= 0.01;
+    robot.passes(0.05, Scene({person}));
+  }
+  for (float ahead = 0.6f; ahead > 0.41f; ahead -= 0.03f) robot.passes(0.05, Scene({person, other(ahead)}));
+  robot.passes(0.3, Scene({person, other(0.36f)}));
+  ASSERT_EQ(robot.wants(about).cause, Cause::Blind);
+  robot.passes(0.1, Scene({{0.75f, -0.3f, 0.3f, -0.3f, 0.05f}, other(0.36f)}));
+  EXPECT_EQ(robot.wants(about).cause, Cause::NearLoss);
+  EXPECT_EQ(robot.wants(about).factor, 0.0);
+}
+
 TEST(LostSpots, WhatElseHidesTheFloorIsUnknown) {
   RobotWithOdometry robot;
   drives_up(robot, post_at);
