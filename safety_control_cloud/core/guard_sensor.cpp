@@ -75,6 +75,7 @@ void GuardSensor::adopt(const Settings& settings, const Guard& guard) {
 std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origin, const Instant& now,
                                      const Given& given) {
   last_arrival_ = now.steady;
+  note_loss_ahead();
   is_explained_ = false;
   if (taken_ && collected_ == Collected::Nothing) collected_ = Collected::Before;
   face(reading, origin.placing);
@@ -91,10 +92,22 @@ std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origi
   return take(reading, origin, std::get<Outlook>(outlook), now, given);  // there is, or nothing were seen
 }
 
-/// A scan looks to all sides.
+/// As the latest reading that was believed had it.
+void GuardSensor::note_loss_ahead() {
+  const auto* seen = std::get_if<Seen>(&sensor_.answer());
+  if (seen) is_lost_ahead_ = seen->loss && seen->loss->cause == Cause::NearLoss && !is_explained_;
+}
+
+void GuardSensor::forget_losses() {
+  sensor_.forget_losses();
+  is_lost_ahead_ = false;
+}
+
+/// A scan looks to all sides. A camera that turns away from what it lost would see something behind that wherever it
+/// looks, if its corridor turned too.
 void GuardSensor::face(const Reading& reading, const Placing& placing) {
   const auto* placement = std::get_if<Placement>(&placing);
-  if (!placement || std::holds_alternative<ScanView>(reading)) return;
+  if (!placement || std::holds_alternative<ScanView>(reading) || is_lost_ahead_) return;
   const Point2 ahead = eye_of(Outlook({}, *placement), FieldOfView{}).direction;
   if (length_of(ahead) == 0.0) return;  // straight up or down
   const double heading = std::atan2(ahead.y, ahead.x);
@@ -190,6 +203,8 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
     if (const auto* seen = std::get_if<Seen>(&sensor_.answer()); seen && seen->loss) known.hint = seen->loss->hint;
     known.doubt.reset();
   }
+  if (known.doubt && known.doubt->cause == Cause::WrongView && is_lost_ahead_)
+    known.doubt->reason += "; it has turned away from where it lost something: let it look there again";
   if (outside_) known.doubt = outside_;
   const bool is_away_free =
       known.lost && (own_.input != InputKind::Scan || (own_.memory_distance > 0.0 && own_.memory_time > 0.0));
@@ -202,6 +217,7 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
   known.age = std::max(now.steady - taken_->arrival.steady, now.ros - taken_->arrival.ros) + taken_->time_to_arrive;
   known.ways = ways_since_look(now, odometry, given);
   known.eye = taken_->eye;
+  if (known.lost && is_lost_ahead_) known.eye->direction = {std::cos(facing_), std::sin(facing_)};
   known.horizon = taken_->horizon;
   known.cap = cap_by(sensor_.answer(), own_);
   return known;

@@ -68,7 +68,7 @@ class GuardSensor {
   /// [s] until it counts as silent; infinite if it does, or has never sent anything.
   double until_silent(double now) const;
 
-  void forget_losses() { sensor_.forget_losses(); }
+  void forget_losses();
   std::string remembered() const { return sensor_.remembered(); }
   bool recall(const std::string& remembered) { return sensor_.recall(remembered); }
 
@@ -93,6 +93,7 @@ class GuardSensor {
   enum class Collected { Nothing, Before, Now };
 
   const Loss* loss() const;
+  void note_loss_ahead();
   void face(const Reading& reading, const Placing& placing);
   Look take(const Reading& reading, const Origin& origin, const Outlook& outlook, const Instant& now,
             const Given& given);
@@ -102,7 +103,8 @@ class GuardSensor {
   Settings own_;
   Settings straight_;  ///< by which all of its points are taken, whichever way it looks
   Law law_;
-  double facing_ = 0.0;  ///< [rad] from base_frame's x axis: where the corridor leads that it looks down
+  double facing_ = 0.0;         ///< [rad] from base_frame's x axis: where the corridor leads that it looks down
+  bool is_lost_ahead_ = false;  ///< something, in that corridor, of which nobody else knows where it is
   Sensor sensor_;
   Surroundings around_;
   std::optional<Taken> taken_;

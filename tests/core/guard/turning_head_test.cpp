@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A camera on a head that turns, and what it lost before.
+#include <gtest/gtest.h>
+
+#include "robot_with_sensors.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr Twist2 ahead{0.1, 0.0, 0.0}, back{-0.1, 0.0, 0.0};
+
+Settings forgetful() {
+  Settings settings = guard_settings();
+  settings.memory_distance = 0.0;
+  return settings;
+}
+
+/// A robot that stands before a post which has come nearer than its camera can see.
+struct RobotWithHead : GuardedRobot {
+  RobotWithHead() : GuardedRobot(forgetful()) {
+    for (const float ahead : {0.7f, 0.6f, 0.5f, 0.45f, 0.36f}) drives(Scene({post(ahead, 0.0f)}), {});
+  }
+
+  double heading = 0.0;  ///< [rad] of its camera
+
+  void looks(const Scene& scene) {
+    pass(0.05);
+    see(scene.view(), turned_xtion(heading));
+  }
+
+  /// By so much, past a wall that is everywhere else.
+  void turns_head(double angle) {
+    constexpr int steps = 40;
+    for (int i = 0; i < steps; ++i) {
+      heading += angle / steps;
+      looks(wall);
+      EXPECT_EQ(wants(ahead).factor, 0.0) << heading << " rad: " << wants(ahead).reason;
+    }
+  }
+
+  const Scene wall = Scene({post(2.0f, 0.0f, 9.0f)});
+};
+
+TEST(TurningHead, WhatItLostStaysWhileItLooksElsewhere) {
+  for (const double angle : {0.5, 1.5, -1.5, 3.1}) {
+    RobotWithHead robot;
+    ASSERT_EQ(robot.wants(ahead).cause, Cause::NearLoss) << robot.wants(ahead).reason;
+    robot.turns_head(angle);
+    for (int i = 0; i < 20; ++i) robot.looks(robot.wall);
+    EXPECT_EQ(robot.wants(ahead).factor, 0.0) << angle << " rad: " << robot.wants(ahead).reason;
+  }
+}
+
+TEST(TurningHead, WhoLooksBackIsFreeToBackOffAndOnceItIsGoneToDriveOn) {
+  RobotWithHead robot;
+  robot.turns_head(1.5);
+  robot.turns_head(-1.5);
+  robot.looks(Scene({post(0.36f, 0.0f)}));
+  EXPECT_EQ(robot.wants(ahead).cause, Cause::NearLoss) << robot.wants(ahead).reason;
+  EXPECT_EQ(robot.wants(back).factor, 1.0) << robot.wants(back).reason;
+  for (int i = 0; i < 20; ++i) robot.looks(robot.wall);
+  EXPECT_EQ(robot.wants(ahead).factor, 1.0) << robot.wants(ahead).reason;
+}
+
+TEST(TurningHead, ResetForgetsWhatItLost) {
+  RobotWithHead robot;
+  robot.turns_head(1.5);
+  EXPECT_EQ(robot.wants(ahead).cause, Cause::WrongView) << robot.wants(ahead).reason;
+  robot.control.forget_losses();
+  for (int i = 0; i < 3; ++i) robot.looks(robot.wall);
+  EXPECT_EQ(robot.wants(ahead).factor, 1.0) << robot.wants(ahead).reason;
+}
+
+}  // namespace
+}  // namespace safety_control_cloud
