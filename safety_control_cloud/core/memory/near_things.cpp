@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 
 #include "connected.hpp"
@@ -20,6 +21,7 @@ constexpr std::size_t most_spots = 120;
 constexpr std::size_t few_pixels = 9;   // three by three
 constexpr std::size_t few_of = 500;     // of a picture, one in so many are few too
 constexpr float border = 0.03f;         // [m] within the corridor's sides
+constexpr std::size_t thin_run = 4;     // successive pixels of a line: fewer are the corner of something, or noise
 constexpr double sparse_weight = 0.25;  // [m2] as of a pixel half a metre away
 
 std::size_t few_in(const Pixels& picture) { return std::max(few_pixels, picture.width() * picture.height() / few_of); }
@@ -108,9 +110,9 @@ class Finding {
     return feet;
   }
 
-  /// Spread over its inner pixels, if it has any.
+  /// Spread over its inner pixels, if it has any, and those of parts too thin to have any.
   std::vector<Spot> spots_of(const Stretches& all) const {
-    auto chosen = inner_of(all);
+    auto chosen = inner_and_thin(all);
     if (chosen.empty()) chosen = pixels_of(all);
     const std::size_t step = 1 + chosen.size() / most_spots;
     std::vector<Spot> spots;
@@ -123,14 +125,54 @@ class Finding {
     return spots;
   }
 
-  std::vector<Index> inner_of(const Stretches& all) const {
+  /// None if none is inner. A rail that is joined to a leg is thin, and may be lost while the leg is seen to go.
+  std::vector<Index> inner_and_thin(const Stretches& all) const {
     std::size_t most = 0, size = 0;
     for (const Stretch& some : all) most += size_of(some);
-    std::vector<Index> inner(most + lines::longest_vector);
-    for (const Stretch& some : all)
-      size += lines::list_inner(connected_.touched().data(), some.begin, some.end, inner.data() + size);
+    std::vector<Index> inner(most + lines::longest_vector), thin;
+    for (const Stretch& some : all) {
+      const std::size_t found =
+          lines::list_inner(connected_.touched().data(), some.begin, some.end, inner.data() + size);
+      if (size_of(some) >= found + thin_run) add_thin(some, thin);
+      size += found;
+    }
     inner.resize(size);
-    return inner;
+    if (inner.empty() || thin.empty()) return inner;
+    std::vector<Index> both;
+    both.reserve(inner.size() + thin.size());
+    std::merge(inner.begin(), inner.end(), thin.begin(), thin.end(), std::back_inserter(both));
+    return both;
+  }
+
+  void add_thin(const Stretch& some, std::vector<Index>& to) const {
+    std::size_t run = 0;
+    const auto end_run = [&] {
+      if (run < thin_run) to.resize(to.size() - run);
+      run = 0;
+    };
+    for (Index i = some.begin; i < some.end; ++i) {
+      if (!is_pixel(i)) continue;
+      if (is_inner(i) || is_beside_inner(i)) {
+        end_run();
+      } else {
+        to.push_back(i);
+        ++run;
+      }
+    }
+    end_run();
+  }
+
+  bool is_inner(Index i) const { return connected_.touched()[i] == lines::AllSides; }
+
+  bool is_beside_inner(Index i) const {
+    const std::size_t line = found_.line_of(i), slot = found_.slot_of(i);
+    for (std::size_t l = line - std::min<std::size_t>(1, line); l < std::min(line + 2, found_.rows.size()); ++l) {
+      for (std::size_t s = slot - std::min<std::size_t>(1, slot); s < std::min(slot + 2, found_.slots); ++s) {
+        const auto other = static_cast<Index>(l * found_.slots + s);
+        if (is_inner(other) && std::abs(found_.ahead[other] - found_.ahead[i]) <= jump) return true;
+      }
+    }
+    return false;
   }
 
   std::vector<Index> pixels_of(const Stretches& all) const {

@@ -43,6 +43,27 @@ TEST_P(Sent, StrayReturnsEraseNoObstacleHoweverLongTheyCome) {
   }
 }
 
+/// Of a rail of so few rows no pixel has others on all sides.
+TEST_P(Sent, RailThatTouchedALegIsNotForgottenWithIt) {
+  for (const float thickness : {0.025f, 0.03f, 0.04f}) {
+    robot = Robot();
+    const Board behind = {4.5f, -9.0f, 9.0f, -9.0f, floor_y};
+    const auto leg = [](float aside) { return Board{0.42f, 0.18f + aside, 0.28f + aside, -1.0f, floor_y}; };
+    const auto rail = [&](float z) { return Board{z, -0.3f, 0.18f, 0.02f, 0.02f + thickness}; };
+    const auto pass = [&](const std::vector<Board>& boards, int clouds) {
+      Decision decision;
+      for (int i = 0; i < clouds; ++i) decision = sees(Scene(boards));
+      return decision;
+    };
+    pass({leg(0.0f), behind}, 5);
+    for (const float z : {0.6f, 0.5f, 0.45f, 0.42f}) pass({leg(0.0f), rail(z), behind}, 3);
+    pass({leg(0.0f), rail(0.38f), behind}, 6);
+    for (const float aside : {0.13f, 0.26f, 0.4f}) pass({leg(aside), rail(0.38f), behind}, 1);
+    EXPECT_EQ(pass({rail(0.38f), behind}, 40).cause, Cause::NearLoss) << thickness;
+    EXPECT_EQ(pass({behind}, 10).speed, 0.2) << thickness << ": both have gone";
+  }
+}
+
 TEST_P(Sent, StrayReturnsInAHallDeeperThanTheSensorEraseNoObstacle) {
   std::mt19937 random(7);
   for (const float z : {0.7f, 0.6f, 0.5f, 0.42f}) sees(Scene({board_at(z)}));
