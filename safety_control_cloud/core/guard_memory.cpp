@@ -92,8 +92,20 @@ bool GuardMemory::note_breaks(const Went& went, const Instant& now) {
   if (went.odometry.breaks() == breaks_) return false;
   if (jumped_ || (by_odometry_ && out_of_sight_.holds_any(now.steady))) jumped_ = looks_since(went, now);
   breaks_ = went.odometry.breaks();
-  if (by_odometry_) out_of_sight_.forget();
-  return by_odometry_;
+  if (!by_odometry_) return false;
+  go_on_as_told(now);
+  return true;
+}
+
+/// Until odometry speaks again, in whichever frame that is then.
+void GuardMemory::go_on_as_told(const Instant& now) {
+  if (latest_) {
+    out_of_sight_.go_on_in_frame(latest_robot_, latest_as_told_, now.steady);
+  } else {
+    out_of_sight_.forget();
+  }
+  by_odometry_ = false;
+  latest_.reset();
 }
 
 std::optional<Pose2> GuardMemory::note(std::size_t sensor, const Look& look, const Went& went, const Instant& now) {
@@ -103,6 +115,8 @@ std::optional<Pose2> GuardMemory::note(std::size_t sensor, const Look& look, con
     if (recalled_ && by_odometry_ && !is_over(*recalled_, now)) place_recalled(sensor, look.stamp, *robot, went, now);
     latest_ = KeptPlaces{look.stamp, robot->pose, {}};
     latest_at_ = now.steady;
+    latest_robot_ = *robot;
+    latest_as_told_ = went.given.whereabouts_at(now.steady - (now.ros - look.stamp));
     out_of_sight_.note(sensor, look, *robot, now.steady, way_during(look, went, now));
   } else {
     out_of_sight_.note_unplaced(sensor, now.steady);

@@ -43,6 +43,7 @@ class GuardMemory {
   bool recall(const std::string& remembered);
 
   /// Whether odometry did not go on since this was asked last, so that where the robot was by it is not known any more.
+  /// What is remembered goes on from the latest look, by what the base was told since.
   bool note_breaks(const Went& went, const Instant& now);
 
   /// A sensor shows this. Where the robot was then by odometry; none: nobody knows.
@@ -66,6 +67,7 @@ class GuardMemory {
   bool may_have_gone(const Pose2& way, double seconds) const;
   void place_recalled(std::size_t sensor, double stamp, const Whereabouts& robot, const Went& went, const Instant& now);
   static double looks_since(const Went& went, const Instant& now);
+  void go_on_as_told(const Instant& now);
   void choose_whereabouts(double stamp, const Went& went, const Instant& now);
   Pose2 way_during(const Look& look, const Went& went, const Instant& now) const;
   std::optional<Whereabouts> whereabouts_at(double age, const Went& went, const Instant& now) const;
@@ -83,6 +85,8 @@ class GuardMemory {
   std::optional<KeptPlaces> recalled_;    ///< of another process, and not placed yet
   std::optional<KeptPlaces> latest_;      ///< without its places: when and where the latest look was taken
   double latest_at_ = 0.0;                ///< [s, steady]
+  Whereabouts latest_robot_;              ///< at that look, in the frame of the places
+  Whereabouts latest_as_told_;            ///< the same by what the base was told
   std::optional<double> jumped_;          ///< [s, ROS] since then odometry goes on, and not every sensor has looked
 };
 

@@ -39,7 +39,7 @@ void LooksTaken::add(std::size_t sensor, const Whereabouts& robot, double now) {
 /// What the way until now may be off by is for those to keep who know a place.
 void LooksTaken::go_on_in_frame(const Whereabouts& there) {
   robot_ = there;
-  for (Taken& look : taken_) look = {look.sensor, look.at, {there.pose}, drift_};
+  for (Taken& look : taken_) look = {look.sensor, look.at, {there.pose, there.or_else}, drift_};
 }
 
 void LooksTaken::forget_before(double moment) {

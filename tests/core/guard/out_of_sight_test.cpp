@@ -227,7 +227,53 @@ TEST(OutOfSight, AfterAJumpOfOdometryItStandsUntilEachSensorHasLooked) {
   EXPECT_EQ(answer.cause, Cause::NoOdometry) << answer.reason;
   EXPECT_EQ(answer.factor, 0.0);
   robot.passes(0.1, robot.hall);
-  EXPECT_EQ(robot.wants(right).factor, 1.0) << "where it was, nobody knows: " << robot.wants(right).reason;
+  EXPECT_EQ(robot.wants(left).factor, 1.0) << robot.wants(left).reason;
+}
+
+/// As one does that is corrected by a map, or whose driver starts anew while the robot stands.
+TEST(OutOfSight, WhatIsKeptGoesOnAsTheBaseIsToldWhereOdometryJumpsOrPauses) {
+  for (const double pause : {0.05, 2.0}) {
+    RobotWithOdometry robot;
+    robot.passes(0.5, with_post);
+    robot.turns(quarter, robot.hall);
+    robot.has_odometry = false;
+    robot.passes(pause, robot.hall);
+    robot.pose = {{3.0, -2.0}, 2.0};
+    robot.has_odometry = true;
+    const auto factor = [&](const Twist2& twist) {
+      robot.passes(2.5, robot.hall);  // until whatever it was told before is over
+      return robot.asked(twist).factor;
+    };
+    EXPECT_LT(factor({0.0, -0.7, 0.0}), 1.0) << robot.wants({}).reason;
+    EXPECT_EQ(factor({0.0, 0.7, 0.0}), 1.0) << robot.wants({}).reason;
+    robot.turns(quarter, robot.hall);
+    EXPECT_LT(factor({-0.7, 0.0, 0.0}), 1.0) << robot.wants({}).reason;
+    EXPECT_EQ(factor({0.0, -0.7, 0.0}), 1.0) << robot.wants({}).reason;
+  }
+}
+
+/// What it was told until the next look counts.
+TEST(OutOfSight, WhoDrivesWhileOdometryJumpsHasGoneOn) {
+  RobotWithOdometry robot;
+  robot.passes(0.5, with_post);
+  robot.turns(quarter, robot.hall);
+  robot.twist = {0.4, 0.0, 0.0};
+  const auto drives = [&](int looks) {
+    for (int i = 0; i < looks; ++i) {
+      robot.pass(0.05);
+      robot.pose = beyond(robot.pose, way_of(robot.twist, 0.05));
+      robot.control.note_odometry(robot.now.ros, robot.pose, robot.twist);
+      robot.see(robot.hall);
+      robot.wants(robot.twist);
+    }
+  };
+  drives(8);
+  robot.pose = {{-5.0, 1.0}, -1.0};
+  drives(8);
+  robot.twist = {};
+  const Guarded& answer = robot.asked({0.0, -0.7, 0.0});
+  ASSERT_TRUE(answer.point) << answer.reason;
+  EXPECT_NEAR(answer.point->x, -16 * 0.05 * 0.4, 0.1) << answer.reason;
 }
 
 /// Who never had any hears nothing of it.
