@@ -3,14 +3,22 @@
 import os
 import subprocess
 import sys
+from contextlib import suppress
 from pathlib import Path
 
+import dynamic_reconfigure.client
 import pytest
+import rospy
+from robot import NODE
+from std_srvs.srv import Trigger
+
+from safety_control_cloud.processes import process
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 PYTHON = "/usr/bin/python3"  # ROS's own, see scripts/setup
-TARGETS = ("safety_control_node", "safety_control_core_tests")
+TARGETS = ("safety_control_node", "safety_control_core_tests", "safety_control_nodelet", "safety_control_nodelet_camera")
+FAST = ("160", "120", "200", "10", "1000")  # pixels, rows, [Hz], clouds to warm up and to count
 OPTIONS = {
     # roscpp locks connections in both orders; this package locks nothing.
     "TSAN_OPTIONS": f"suppressions={HERE / 'thread.supp'} detect_deadlocks=0",
@@ -45,6 +53,25 @@ def test_the_core_keeps_its_promises(build):
 def test_the_node_stands_every_fault(build):
     node = build / "devel" / "lib" / "safety_control_cloud" / "safety_control_node_sanitized"
     run(sys.executable, "-m", "pytest", HERE, "-k", "not soak and not sanitized", SAFETY_CONTROL_NODE=str(node))
+
+
+def test_the_nodelet_stands_a_camera_of_200_Hz_in_its_process(build, master):
+    """While it is set and reset."""
+    where = {**OPTIONS, "CMAKE_PREFIX_PATH": f"{build / 'devel'}:{os.environ['CMAKE_PREFIX_PATH']}"}
+    command = ["env", *(f"{name}={value}" for name, value in where.items())]
+    with process([*command, str(build / "tests/benchmarks/nodelet_camera"), *FAST, "_source_timeout:=10.0"]) as camera:
+        settings = dynamic_reconfigure.client.Client(NODE, timeout=60.0)
+        reset = rospy.ServiceProxy(NODE + "/reset", Trigger)
+        reset.wait_for_service(60.0)
+        assert str(build / "devel/lib/libsafety_control_nodelet.so") in Path(f"/proc/{camera.pid}/maps").read_text()
+        turns = 0
+        with suppress(rospy.ServiceException):  # when it has ended
+            while camera.exit_code is None:
+                settings.update_configuration({"min_points": 1 + turns % 2})
+                reset()
+                turns += 1
+        assert camera.wait(60.0) == 0, camera.output()
+        assert turns > 20
 
 
 def run(*command, **environment):
