@@ -14,11 +14,15 @@ std::size_t step_for(std::size_t size, std::size_t wanted) { return (size + want
 
 }  // namespace
 
+std::size_t rows_apart(std::size_t height) { return step_for(height, rows); }
+
+std::size_t columns_apart(std::size_t width) { return step_for(width, columns); }
+
 std::vector<NearReturn> near_returns(const Look& look, const Vicinity& vicinity, const Pose2& pose,
                                      const Pose2& meanwhile) {
   const Pixels pixels(look.view, look.outlook.corridor.range_min);
   const bool is_scan = std::holds_alternative<ScanView>(look.reading);
-  const std::size_t across = is_scan ? 1 : step_for(pixels.width(), columns), down = step_for(pixels.height(), rows);
+  const std::size_t across = is_scan ? 1 : columns_apart(pixels.width()), down = rows_apart(pixels.height());
   const bool moved = displacement(meanwhile, 1.0) > 0.0;
   Pose2 then = pose;
   Turn turn(pose.heading);

@@ -34,6 +34,10 @@ struct NearReturn {
   double range;  ///< [m] from base_frame's origin then
 };
 
+/// Of a picture so large, every so many rows and columns are looked at.
+std::size_t rows_apart(std::size_t height);
+std::size_t columns_apart(std::size_t width);
+
 /// The near returns of a look, or of every n-th row and column of a larger picture, with the robot at `pose` when it
 /// began. It went on by `meanwhile`, so that each beam of a scan has a place of its own, in their order.
 std::vector<NearReturn> near_returns(const Look& look, const Vicinity& vicinity, const Pose2& pose,

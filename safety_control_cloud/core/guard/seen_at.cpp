@@ -14,6 +14,7 @@ constexpr double behind = 0.05, behind_rate = 0.03;    ///< [m] and share of the
 constexpr double turn = 2.0 * 3.14159265358979323846;  ///< [rad]
 constexpr double in_plane = 0.01;                      ///< [m] beside a scan's plane that it still meets
 constexpr int attempts = 3;                            ///< to find a pixel through a bent lens
+constexpr std::size_t border_steps = 2;                ///< of those that are looked at, see in_picture
 constexpr double close_enough = 1.5;                   ///< [px]
 
 /// Of several pixels around a direction, one after the other.
@@ -93,7 +94,9 @@ AtPlace SeenAt::shown_at(const Point& place) const {
   return length_of(seen) > vicinity_.distance ? AtPlace::ShownFar : AtPlace::Shown;
 }
 
-/// The pixel that looks there, corrected by the rays of those that returned: a lens may bend them.
+/// The pixel that looks there, corrected by the rays of those that returned: a lens may bend them. At the border of the
+/// picture what is shown there may as well be what follows upon it, of a thing that leaves the picture: so the end of a
+/// pallet would be taken to go back before the robot.
 AtPlace SeenAt::in_picture(const Point& place, double off) const {
   if (!(place.z > nearest) || !picture_->holds(place)) return AtPlace::NotThere;
   const double x = double{place.x} / place.z, y = double{place.y} / place.z;
@@ -109,8 +112,12 @@ AtPlace SeenAt::in_picture(const Point& place, double off) const {
     column += off_across, row += off_down;
   }
   const auto r = std::lround(row), c = std::lround(column);
-  const auto beside = [](long at, std::size_t size) { return at < 0 || at >= static_cast<long>(size); };
-  if (beside(r, pixels_.height()) || beside(c, pixels_.width())) return AtPlace::NotThere;
+  const auto tells = [](long at, std::size_t size, std::size_t apart) {
+    const auto border = static_cast<long>(border_steps * apart);
+    return at >= border && at < static_cast<long>(size) - border;
+  };
+  if (!tells(r, pixels_.height(), rows_apart(pixels_.height()))) return AtPlace::NotThere;
+  if (!tells(c, pixels_.width(), columns_apart(pixels_.width()))) return AtPlace::NotThere;
   Around around(place.z, off);
   for (const float z : pixels_.around(static_cast<std::size_t>(r), static_cast<std::size_t>(c)))
     around.add(!std::isnan(z), z);
