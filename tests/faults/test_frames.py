@@ -5,6 +5,7 @@ Every test has a camera frame of its own: what was once said on /tf_static stays
 """
 import math
 import threading
+import time
 
 import pytest
 import rospy
@@ -28,6 +29,13 @@ def camera_in_base(frame, qx=-0.5):
     return transform
 
 
+def turn(rotation, heading):
+    """By so much to the left."""
+    c, s = math.cos(heading / 2), math.sin(heading / 2)
+    x, y, z, w = rotation.x, rotation.y, rotation.z, rotation.w
+    rotation.x, rotation.y, rotation.z, rotation.w = c * x - s * y, c * y + s * x, c * z + s * w, c * w - s * z
+
+
 class Frames:
     """Publishes where a camera is: once for all, or again and again for as long as it moves."""
 
@@ -46,6 +54,18 @@ class Frames:
             while not self._stopped.wait(0.02):
                 transform = camera_in_base(frame)
                 transform.header.stamp += rospy.Duration(AHEAD)
+                self._dynamic.publish([transform])
+
+        threading.Thread(target=run, daemon=True).start()
+
+    def turns(self, frame, late):
+        self._stopped.clear()
+
+        def run():
+            while not self._stopped.wait(0.01):
+                transform = camera_in_base(frame)
+                transform.header.stamp -= rospy.Duration(late)
+                turn(transform.transform.rotation, 0.3 * math.sin(10.0 * transform.header.stamp.to_sec()))
                 self._dynamic.publish([transform])
 
         threading.Thread(target=run, daemon=True).start()
@@ -85,6 +105,20 @@ def test_a_camera_whose_place_is_not_known_any_more_stops_the_robot(frames):
         frames.moves(frame)
         robot.camera.show(hall(frame=frame))
         robot.drives()
+
+
+def test_a_camera_that_turns_has_no_place_by_a_transform_that_is_late(frames):
+    frame = "camera_on_a_head"
+    frames.moves(frame)
+    with driving_robot(view=hall(frame=frame), target_frame=BASE) as robot:
+        frames.stops()
+        rospy.sleep(AHEAD + 0.2)
+        frames.turns(frame, late=0.05)
+        robot.camera.changes()
+        until = time.monotonic() + 20.0
+        while not any(" moves in " in state.reason for state in robot.states.all()):
+            assert time.monotonic() < until, robot.states.all()[-1]
+            time.sleep(0.05)
 
 
 @pytest.mark.parametrize(

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+import math
+from dataclasses import replace as changed
 from pathlib import Path
 
 import numpy as np
 import pytest
-from drives import SECOND, START, camera, depth, write_drive, write_drive2
+from drives import SECOND, START, camera, depth, placed, write_drive, write_drive2
 from guard_answers import SENSORS, replay, to_commands, told
 from guard_drives import at, camera_placed, commanded, driven_at_wall, hall_with_wall, moved, odometry, scan, touched, wall_and_floor
 
@@ -52,6 +54,25 @@ def test_topics_with_one_name_are_told_apart(tmp_path):
     assert sensors & {"a_b", "a_b_1"}
     chosen = told(tmp_path, tmp_path / "drive.bag", "--topic", "/scan")
     assert {answer["sensor"] for answer in chosen} <= {"", "scan"} and chosen[-1]["factor"] == 1.0
+
+
+@pytest.mark.parametrize("turns, cause", [(0.0, "SEEN"), (0.8, "NO_TRANSFORM")])
+def test_a_camera_that_turns_has_no_place_by_a_transform_that_is_late(tmp_path, turns, cause):
+    def head(time: float):
+        half = 0.5 * turns * max(0.0, time - 0.75)
+        ahead, aside = 0.5 * math.cos(half), 0.5 * math.sin(half)
+        turn = (-ahead - aside, ahead - aside, -ahead + aside, ahead + aside)
+        late = round((time + 0.08) * SECOND)
+        return changed(placed(time, (-0.087, 0.0, 0.2972), turn, parent="base_footprint"), time=late)
+
+    records = [head(0.02 * n) for n in range(75)]
+    records += [commanded(0.1 * n + 0.01, 0.2) for n in range(2, 15)]
+    records += [wall_and_floor(0.1 * n + 0.005, 3.0) for n in range(2, 15)]
+
+    answers = told(tmp_path, write_drive(tmp_path / "drive.bag", records))
+
+    assert answers[-1]["cause"] == cause, answers[-1]
+    assert cause == "SEEN" or "moves in base_footprint, and its newest transform is" in answers[-1]["reason"]
 
 
 LASER_ALONE = driven_at_wall(seconds=1.0, sensors=["laser"])

@@ -12,7 +12,9 @@ from safety_control_cloud.replay.topics import TRANSFORMS, rooted
 from safety_control_cloud.replay.wire import Header, header_in
 
 CACHE = 10  # [s] as tf2_ros keeps
-TOLERANCE = 0.1  # [s] by which the newest transform may be older than a cloud; as in ros/input/camera_place.cpp
+# As in ros/input/camera_place.cpp.
+TOLERANCE = 0.1  # [s] by which the newest transform may be older than a cloud
+MOST_TURNED, MOST_MOVED = 0.02, 0.01  # [rad], [m] by which a frame may have moved in as long before
 
 ENDS = (2**31 - 1) * 10**9  # [ns] tf2_py takes later stamps for negative ones, and ends the process
 
@@ -36,7 +38,7 @@ class Places:
                 add(_ros(transform), "bag")
 
     def at(self, target_frame: str, cloud: Header) -> Place:
-        from genpy import Time
+        from genpy import Duration, Time
 
         if not has_time(cloud.stamp):
             return self._at_any_time(target_frame, cloud)
@@ -49,6 +51,9 @@ class Places:
                 late = cloud.seconds - found.header.stamp.to_sec()
                 if not 0.0 <= late <= TOLERANCE:
                     raise
+                before = self._buffer.lookup_transform_core(target_frame, cloud.frame, found.header.stamp - Duration.from_sec(late))
+                if has_moved(before.transform, found.transform):
+                    return f"{cloud.frame} moves in {target_frame}, and its newest transform is {late:.3f} s older than the cloud"
         except self._tf2.TransformException as problem:
             return str(problem)
         return matrix_of(found.transform)
@@ -73,6 +78,14 @@ class Places:
 def has_time(stamp: int) -> bool:
     """[ns] a stamp that tf2_py takes."""
     return 0 <= stamp < ENDS
+
+
+def has_moved(before, now) -> bool:
+    """Written so that NaN has moved."""
+    turns = [np.array([part.rotation.x, part.rotation.y, part.rotation.z, part.rotation.w]) for part in (before, now)]
+    places = [np.array([part.translation.x, part.translation.y, part.translation.z]) for part in (before, now)]
+    turned = 2.0 * math.acos(min(abs(float(turns[0] @ turns[1])), 1.0))
+    return not (turned <= MOST_TURNED and float(np.linalg.norm(places[1] - places[0])) <= MOST_MOVED)
 
 
 def matrix_of(transform) -> Place:
