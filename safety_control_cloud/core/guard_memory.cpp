@@ -41,6 +41,7 @@ void GuardMemory::forget() {
   out_of_sight_.forget();
   recalled_.reset();
   jumped_.reset();
+  told_since_.reset();
 }
 
 /// As of the latest look that somebody knows the place of.
@@ -105,6 +106,7 @@ void GuardMemory::go_on_as_told(const Instant& now) {
     out_of_sight_.forget();
   }
   by_odometry_ = false;
+  told_since_ = now.steady;
   latest_.reset();
 }
 
@@ -141,6 +143,7 @@ void GuardMemory::choose_whereabouts(double stamp, const Went& went, const Insta
   const bool holds_any = out_of_sight_.holds_any(now.steady);
   if (speaks == by_odometry_ || (by_odometry_ && holds_any)) return;
   by_odometry_ = speaks;
+  told_since_.reset();
   latest_.reset();
   if (const auto there = by_odometry_at(now.ros, went); holds_any && there) {
     out_of_sight_.go_on_in_frame(went.given.whereabouts_at(now.steady), *there, now.steady);
@@ -200,7 +203,8 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
   known.law = sensors.front().law();
   known.law.min_points = 1;
   known.ways = {Pose2{}};
-  known.is_reckoned = !by_odometry_;
+  const bool was_placed = told_since_ && now.steady - *told_since_ <= time_;  // well, by odometry
+  known.is_reckoned = !by_odometry_ && !was_placed;
   const double reach = guard.reach(0.0, known.law);
   rings_.clear();
   for (std::size_t i = 0; i < (by_odometry_ ? 1 : sensors.size()); ++i)

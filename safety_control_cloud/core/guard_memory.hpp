@@ -87,6 +87,7 @@ class GuardMemory {
   double latest_at_ = 0.0;                ///< [s, steady]
   Whereabouts latest_robot_;              ///< at that look, in the frame of the places
   Whereabouts latest_as_told_;            ///< the same by what the base was told
+  std::optional<double> told_since_;      ///< [s, steady] odometry broke off, and has not spoken since
   std::optional<double> jumped_;          ///< [s, ROS] since then odometry goes on, and not every sensor has looked
 };
 

@@ -252,6 +252,26 @@ TEST(OutOfSight, WhatIsKeptGoesOnAsTheBaseIsToldWhereOdometryJumpsOrPauses) {
   }
 }
 
+/// A shelf at the height of its head, which is above the picture from 0.45 m on.
+TEST(OutOfSight, WhatThePictureAheadDoesNotShowCountsWhileOdometryHasNotSpokenAgain) {
+  Settings settings = remembering();
+  settings.near_loss.distance = 0.0;
+  RobotWithOdometry robot(settings);
+  const auto shelf_at = [](float z) { return Scene({{z, -0.3f, 0.3f, -0.25f, -0.2f}}); };
+  for (float z = 0.9f; z > 0.45f; z -= 0.05f, robot.pose.place.x += 0.05) {
+    robot.twist = {1.0, 0.0, 0.0};
+    robot.passes(0.05, shelf_at(z));
+  }
+  robot.twist = {};
+  ASSERT_LT(robot.asked({0.5, 0.0, 0.0}).factor, 0.9) << robot.wants({}).reason;
+  for (int i = 0; i < 30; ++i) {
+    robot.pose.place.y += i % 3 == 0 ? 1.0 : 0.0;  // never for 0.2 s without a jump
+    robot.passes(0.05, robot.hall);
+    EXPECT_LT(robot.wants({0.5, 0.0, 0.0}).factor, 0.9) << i << ": " << robot.wants({}).reason;
+    robot.wants({});
+  }
+}
+
 /// What it was told until the next look counts.
 TEST(OutOfSight, WhoDrivesWhileOdometryJumpsHasGoneOn) {
   RobotWithOdometry robot;
