@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace safety_control_cloud {
 namespace {
@@ -203,22 +204,33 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
   known.law = sensors.front().law();
   known.law.min_points = 1;
   known.ways = {Pose2{}};
-  const bool was_placed = told_since_ && now.steady - *told_since_ <= time_;  // well, by odometry
-  known.is_reckoned = !by_odometry_ && !was_placed;
   const double reach = guard.reach(0.0, known.law);
   rings_.clear();
-  for (std::size_t i = 0; i < (by_odometry_ ? 1 : sensors.size()); ++i)
-    rings_.push_back(
-        out_of_sight_.rings(robot, reach, now.steady, shows, by_odometry_ ? std::nullopt : std::optional(i)));
   std::vector<Known> all;
-  for (std::size_t i = 0; i < rings_.size(); ++i) {
+  const auto add = [&](std::vector<Ring> rings) {
     // What the margin is kept for: half of it for where things are, the rest for what the robot does. What decides is
     // the nearest of many returns, not one of min_points as in a picture, and lies nearer than the thing by the noise.
-    for (Ring& ring : rings_[i])
+    for (Ring& ring : rings)
       ring.obstacles.widening = std::max(-known.law.noise, ring.obstacles.widening - 0.5 * margin_);
-    known.rings = &rings_[i];
-    known.seen_by = shows[i] ? sensors[i].eye() : std::nullopt;
+    rings_.push_back(std::move(rings));
+    known.rings = &rings_.back();
     all.push_back(known);
+  };
+  if (by_odometry_) {
+    add(out_of_sight_.rings(robot, reach, now.steady, shows));
+    return all;
+  }
+  const bool was_placed = told_since_ && now.steady - *told_since_ <= time_;  // well, by odometry: all of it counts
+  known.is_reckoned = !was_placed;
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    const GuardSensor& sensor = sensors[i];
+    known.seen_by = shows[i] ? sensor.eye() : std::nullopt;
+    known.is_missed = false;
+    add(out_of_sight_.rings(robot, reach, now.steady, shows, i));
+    if (!known.seen_by || was_placed) continue;
+    known.is_missed = true;
+    const auto is_missed = [&](const Point2& place, const Heights& heights) { return sensor.misses(place, heights); };
+    add(out_of_sight_.rings(robot, reach, now.steady, shows, i, is_missed));
   }
   return all;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -75,20 +76,20 @@ class GuardMemory {
   std::optional<Doubt> doubt_at(const Instant& now, const Went& went, const std::vector<GuardSensor>& sensors) const;
 
   OutOfSight out_of_sight_;
-  double odometry_drift_;                 ///< [m/m], [rad/rad]
-  double margin_;                         ///< [m]
-  double time_;                           ///< [s] for which anything is kept
-  double fastest_, fastest_turn_;         ///< [m/s], [rad/s] of the robot
-  std::vector<std::vector<Ring>> rings_;  ///< as they were asked for last: of all sensors, or of each
-  bool by_odometry_ = false;              ///< it is known where that is; or else by what the base was told
-  std::size_t breaks_ = 0;                ///< of the odometry, after which that began
-  std::optional<KeptPlaces> recalled_;    ///< of another process, and not placed yet
-  std::optional<KeptPlaces> latest_;      ///< without its places: when and where the latest look was taken
-  double latest_at_ = 0.0;                ///< [s, steady]
-  Whereabouts latest_robot_;              ///< at that look, in the frame of the places
-  Whereabouts latest_as_told_;            ///< the same by what the base was told
-  std::optional<double> told_since_;      ///< [s, steady] odometry broke off, and has not spoken since
-  std::optional<double> jumped_;          ///< [s, ROS] since then odometry goes on, and not every sensor has looked
+  double odometry_drift_;               ///< [m/m], [rad/rad]
+  double margin_;                       ///< [m]
+  double time_;                         ///< [s] for which anything is kept
+  double fastest_, fastest_turn_;       ///< [m/s], [rad/s] of the robot
+  std::list<std::vector<Ring>> rings_;  ///< as they were asked for last: of all sensors, or of each
+  bool by_odometry_ = false;            ///< it is known where that is; or else by what the base was told
+  std::size_t breaks_ = 0;              ///< of the odometry, after which that began
+  std::optional<KeptPlaces> recalled_;  ///< of another process, and not placed yet
+  std::optional<KeptPlaces> latest_;    ///< without its places: when and where the latest look was taken
+  double latest_at_ = 0.0;              ///< [s, steady]
+  Whereabouts latest_robot_;            ///< at that look, in the frame of the places
+  Whereabouts latest_as_told_;          ///< the same by what the base was told
+  std::optional<double> told_since_;    ///< [s, steady] odometry broke off, and has not spoken since
+  std::optional<double> jumped_;        ///< [s, ROS] since then odometry goes on, and not every sensor has looked
 };
 
 }  // namespace safety_control_cloud

@@ -235,6 +235,19 @@ std::vector<Pose2> GuardSensor::ways_since_look(const Instant& now, const Odomet
   return {*way, *way_since_arrival};
 }
 
+bool GuardSensor::misses(const Point2& place, const Heights& heights) const {
+  if (!taken_ || own_.input == InputKind::Scan || !taken_->eye.sees(place)) return false;
+  const auto seen = [&](double height) {
+    const Point there(static_cast<float>(-place.y), static_cast<float>(-height), static_cast<float>(place.x));
+    return taken_->outlook.seen_from_camera(there);
+  };
+  const Point low = seen(heights.bottom), high = seen(heights.top);
+  const auto [up, down] = std::minmax(taken_->field.top, taken_->field.bottom);
+  const auto is_above = [up = up](const Point& there) { return there.y < up * there.z; };
+  const auto is_below = [down = down](const Point& there) { return there.y > down * there.z; };
+  return (is_above(low) && is_above(high)) || (is_below(low) && is_below(high));
+}
+
 double GuardSensor::until_silent(double now) const {
   const double left = last_arrival_ ? own_.source_timeout - (now - *last_arrival_) : 0.0;
   return left > 0.0 ? left : std::numeric_limits<double>::infinity();

@@ -63,6 +63,10 @@ class GuardSensor {
   /// Where it looked last; none: it shows nothing.
   std::optional<Eye> eye() const { return taken_ ? std::optional(taken_->eye) : std::nullopt; }
 
+  /// Whether a camera looks toward a place in base_frame, and what stands there between these heights is all below its
+  /// picture, or all above.
+  bool misses(const Point2& place, const Heights& heights) const;
+
   const Law& law() const { return law_; }
 
   /// [s] until it counts as silent; infinite if it does, or has never sent anything.

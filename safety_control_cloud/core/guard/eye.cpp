@@ -48,6 +48,17 @@ bool any_new_place(const Outline& outline, const Twist2& twist, Is is) {
   return false;
 }
 
+template <class Is>
+Obstacles those_of(const Obstacles& all, Is is) {
+  Obstacles some;
+  for (std::size_t i = 0; i < all.points.size(); ++i) {
+    if (!is(all.points[i])) continue;
+    some.points.push_back(all.points[i]);
+    if (!all.counts.empty()) some.counts.push_back(all.counts[i]);
+  }
+  return some;
+}
+
 }  // namespace
 
 bool Eye::sees(const Point2& point) const {
@@ -89,15 +100,12 @@ bool leads_away_from(const Eye& eye, const Twist2& twist) {
          -dot(eye.direction, linear(twist)) >= least_away * speed;
 }
 
+Obstacles approached(const Obstacles& all, const Outline& outline, const Twist2& twist) {
+  return those_of(all, [&](const Point2& point) { return comes_nearer(outline, twist, point, soon, nearer); });
+}
+
 Obstacles beside_view(const Obstacles& all, const Eye& eye, const Outline& outline, const Twist2& twist) {
-  Obstacles some;
-  for (std::size_t i = 0; i < all.points.size(); ++i) {
-    const Point2& point = all.points[i];
-    if (eye.sees(point) || !comes_nearer(outline, twist, point, soon, nearer)) continue;
-    some.points.push_back(point);
-    if (!all.counts.empty()) some.counts.push_back(all.counts[i]);
-  }
-  return some;
+  return approached(those_of(all, [&](const Point2& point) { return !eye.sees(point); }), outline, twist);
 }
 
 }  // namespace safety_control_cloud

@@ -171,6 +171,7 @@ Allowed Guard::by_sight(const Twist2& wanted, const UnderWay& under_way, const K
   Allowed least;
   if (!known.rings) return standing(known.sensor, {Cause::NoCloud, "nothing has been seen yet"});
   const bool is_shown = known.is_reckoned && known.seen_by && leads_to_where_it_looks(outline_, *known.seen_by, wanted);
+  if (known.is_missed && !is_shown) return least;  // it counts already, with all that is reckoned
   std::size_t nearer = 0;
   for (const Ring& ring : *known.rings) {
     least = lesser(std::move(least), by_ring(wanted, under_way, known, ring, nearer, is_shown));
@@ -182,13 +183,16 @@ Allowed Guard::by_sight(const Twist2& wanted, const UnderWay& under_way, const K
 
 /// Returns of the rings inside count as touched already, so that an obstacle that two rings share is one. What is
 /// placed by what the base was told counts wherever it may be; for who drives where the sensor looks that saw it, only
-/// beside what that shows, and where it is most likely to be, or he would not get past anything.
+/// beside what that shows, and where it is most likely to be, or he would not get past anything. What its picture
+/// misses counts for him too, wherever it may be within that.
 Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Known& known, const Ring& ring,
                        std::size_t nearer, bool is_shown) const {
   Allowed least;
   if (ring.returns == 0) return least;
-  if (is_shown && ring.obstacles.widening > well_reckoned) return least;
-  const double off = is_shown ? 0.0 : ring.obstacles.widening;
+  if (is_shown && !known.is_missed && ring.obstacles.widening > well_reckoned) return least;
+  const double off = known.is_missed ? std::min(well_reckoned, ring.obstacles.widening)
+                     : is_shown      ? 0.0
+                                     : ring.obstacles.widening;
   const double widening = off + half_of_gap(known.ways, std::sqrt(2.0) * ring.extent);
   Law law = known.law;
   law.min_points = law.min_points > nearer ? law.min_points - nearer : 1;
@@ -199,7 +203,10 @@ Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Kn
   const Outline outline(widened(outline_, widening));
   for (const Pose2& way : known.ways) {
     Obstacles moved = seen_after(way, ring.obstacles);
-    if (is_shown) moved = beside_view(moved, *known.seen_by, outline_, wanted);
+    if (known.is_missed)
+      moved = approached(moved, outline_, wanted);
+    else if (is_shown)
+      moved = beside_view(moved, *known.seen_by, outline_, wanted);
     const Limit limit = safety_control_cloud::limit(outline, law, moved, known.age, under_way, wanted);
     if (!(limit.factor < least.factor)) continue;
     const Contact decider = limit.contact.point ? limit.contact : on_the_path(outline, moved, wanted);

@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <unordered_map>
 #include <utility>
 
 namespace safety_control_cloud {
 namespace {
 
-constexpr double cell = 0.015, layer = 0.1;   ///< [m] across and up
-constexpr std::size_t most = 30000;           ///< places
+constexpr double cell = 0.015, layer = 0.1;  ///< [m] across and up
+constexpr double column = 0.02;      ///< [m] across: in the next one, too, the same thing stands, seen higher up
+constexpr std::size_t most = 30000;  ///< places
 constexpr std::size_t most_of_a_look = 8560;  ///< of these: of a scan with more beams, the last are not kept
 constexpr double kept_share = 0.75;           ///< of them where there are too many
 constexpr std::uint8_t believed = 2;          ///< looks that show a place, or what is behind it
@@ -27,6 +30,40 @@ std::uint64_t key_of(const Point2& place, double height) {
   return part(place.x / cell) << 42U | part(place.y / cell) << 21U | part(height / layer);
 }
 
+/// How high the returns of a look reach.
+class Tops {
+ public:
+  explicit Tops(const std::vector<NearReturn>& all) {
+    for (const NearReturn& one : all) {
+      float& top = of_column_.try_emplace(column_of(one.place), one.height).first->second;
+      top = std::max(top, one.height);
+    }
+  }
+
+  /// [m] of one of them, in its column and the eight around that: asked for once for each column.
+  float around(const NearReturn& one) {
+    const auto [found, is_new] = around_.try_emplace(column_of(one.place), one.height);
+    if (is_new) found->second = highest_around(one.place);
+    return found->second;
+  }
+
+ private:
+  static std::uint64_t column_of(const Point2& place) { return key_of((cell / column) * place, 0.0); }
+
+  float highest_around(const Point2& place) const {
+    float top = -std::numeric_limits<float>::infinity();
+    for (const double ahead : {-column, 0.0, column}) {
+      for (const double left : {-column, 0.0, column}) {
+        const auto found = of_column_.find(column_of(place + Point2{ahead, left}));
+        if (found != of_column_.end()) top = std::max(top, found->second);
+      }
+    }
+    return top;
+  }
+
+  std::unordered_map<std::uint64_t, float> of_column_, around_;
+};
+
 /// Where a place of base_frame lies in the corridor's axes.
 Point in_axes(const Point2& place, float height) {
   return Point(static_cast<float>(-place.y), -height, static_cast<float>(place.x));
@@ -42,8 +79,11 @@ void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& r
   const SeenAt seen_at(look, limits_.vicinity);
   if (!seen_at.can_tell()) return;
   make_room(robot.pose.place);
-  for (const NearReturn& seen : near_returns(look, limits_.vicinity, robot.pose, meanwhile))
-    keep(seen, now, displacement(meanwhile, seen.range));
+  const std::vector<NearReturn> all = near_returns(look, limits_.vicinity, robot.pose, meanwhile);
+  const bool asked_for = !robot.or_else.empty();  // by odometry every place counts, however high
+  Tops tops(asked_for ? all : std::vector<NearReturn>{});
+  for (const NearReturn& seen : all)
+    keep(seen, now, displacement(meanwhile, seen.range), asked_for ? tops.around(seen) : seen.height);
   drop_what_has_gone(look, seen_at, robot, now, meanwhile);
 }
 
@@ -76,11 +116,11 @@ const LooksTaken::Taken* OutOfSight::shown_by(const Place& place, double now) co
   return look && now - look->at <= limits_.time ? look : nullptr;
 }
 
-void OutOfSight::keep(const NearReturn& seen, double now, double off) {
+void OutOfSight::keep(const NearReturn& seen, double now, double off, float top) {
   const std::uint64_t key = key_of(seen.place, seen.height);
   const auto found = places_.find(key);
   if (found == places_.end() && places_.size() >= most) return;
-  Place kept{seen.place.x, seen.place.y, seen.height, looks_.latest(), now, off};
+  Place kept{seen.place.x, seen.place.y, seen.height, top, looks_.latest(), now, off};
   if (found != places_.end()) {
     kept.first_seen = found->second.first_seen;
     kept.looks = looks_of(found->second);
@@ -218,7 +258,7 @@ void OutOfSight::recall(const std::vector<KeptPlace>& places, std::size_t sensor
   for (const KeptPlace& one : places) {
     const Point2 at = there.pose.place + turn(one.place);
     const auto height = static_cast<float>(one.height);
-    places_.emplace(key_of(at, height), Place{at.x, at.y, height, looks_.latest(), now, one.off, believed});
+    places_.emplace(key_of(at, height), Place{at.x, at.y, height, height, looks_.latest(), now, one.off, believed});
   }
 }
 
@@ -233,13 +273,15 @@ std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Whereab
 }
 
 std::vector<Ring> OutOfSight::rings(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows,
-                                    std::optional<std::size_t> of) const {
+                                    std::optional<std::size_t> of, const AsksFor& asks) const {
   std::vector<Ring> rings;
   for (std::size_t i = 0; i < displaced.size(); ++i) rings.push_back({reach, {}});
+  const auto is_shown = [&](const Place& place, const Here& here) {
+    return shows[here.look.sensor] && looks_.is_latest_of_its_sensor(place.look);
+  };
   for_each(robot, now, [&](const Place& place, const Here& here) {
-    if (of && here.look.sensor != *of) return;
-    const bool is_shown = shows[here.look.sensor] && looks_.is_latest_of_its_sensor(place.look);
-    if (is_shown || here.range - here.off > reach) return;
+    if ((of && here.look.sensor != *of) || is_shown(place, here) || here.range - here.off > reach) return;
+    if (asks && !asks(here.place, {place.z, place.top})) return;
     const auto fits = std::lower_bound(displaced.begin(), displaced.end() - 1, here.off);
     Ring& ring = rings[static_cast<std::size_t>(fits - displaced.begin())];
     ring.obstacles.points.push_back(here.place);

@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
+#include "horizon.hpp"
 #include "kept_places.hpp"
 #include "known_places.hpp"
 #include "looks_taken.hpp"
@@ -55,6 +57,9 @@ class OutOfSight {
   /// From now on these too are kept, as if `sensor` had shown them to a robot that was there.
   void recall(const std::vector<KeptPlace>& places, std::size_t sensor, const Whereabouts& there, double now);
 
+  /// Whether somebody asks for a place in base_frame, and what stood there between these heights.
+  using AsksFor = std::function<bool(const Point2& place, const Heights& heights)>;
+
   /// Whether anything would be kept.
   bool remembers() const { return limits_.vicinity.distance > 0.0 && limits_.time > 0.0; }
 
@@ -67,14 +72,15 @@ class OutOfSight {
 
   /// What is kept and not shown by the latest look of its sensor, around the robot, out to `reach` [m]; by how much it
   /// may have been displaced meanwhile. `shows`: of each sensor, whether its latest look is believed still.
-  /// `of`: what this sensor saw; none: all of them.
+  /// `of`: what this sensor saw; none: all of them. `asks`: of that, those that it asks for; none:
+  /// all of them.
   std::vector<Ring> rings(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows,
-                          std::optional<std::size_t> of = std::nullopt) const;
+                          std::optional<std::size_t> of = std::nullopt, const AsksFor& asks = nullptr) const;
 
  private:
   struct Place {
     double x, y;         ///< [m] in the resting frame, which may begin far away
-    float z;             ///< [m] above base_frame
+    float z, top;        ///< [m] above base_frame: its own, and of what stood there
     std::uint64_t look;  ///< the latest that showed it
     double first_seen;   ///< [s] steady
     double off = 0.0;    ///< [m] by which it may have been displaced as it was seen, or before this frame rested
@@ -95,7 +101,7 @@ class OutOfSight {
   bool counts(const Place& place, double now) const;
   template <class Visit>
   void for_each(const Whereabouts& robot, double now, Visit visit) const;
-  void keep(const NearReturn& seen, double now, double off);
+  void keep(const NearReturn& seen, double now, double off, float top);
   std::uint8_t looks_of(const Place& before) const;
   std::uint8_t looks_beside(const Point2& place, double height) const;
   void drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Whereabouts& robot, double now,

@@ -135,6 +135,17 @@ TEST(WithoutOdometry, WhatFellSilentLongAgoIsNone) {
   EXPECT_LT(robot.asked(back).factor, 0.95) << robot.wants(back).reason;
 }
 
+/// The camera sees the upper part of it, which tells where it is.
+TEST(WithoutOdometry, TheFootOfWhatStandsInThePictureDoesNotCountBelowIt) {
+  const auto post_at = [](double ahead) { return Scene({post(static_cast<float>(ahead), 0.0f, 0.06f)}); };
+  RobotWithoutOdometry robot, late;
+  double ahead = 0.9;
+  while (ahead > 0.55) ahead -= 0.05 * 0.2 * robot.drives_on(post_at(ahead), {0.2, 0.0, 0.0}).factor;
+  for (RobotWithoutOdometry* one : {&robot, &late}) one->passes(1.0, post_at(ahead));
+  const Twist2 on{0.5, 0.0, 0.0};
+  EXPECT_DOUBLE_EQ(robot.drives_on(post_at(ahead), on).factor, late.drives_on(post_at(ahead), on).factor);
+}
+
 /// Slower than anybody drives, for as long as it takes.
 TEST(WithoutOdometry, WhoCreepsDrivesToo) {
   RobotWithoutOdometry robot;
