@@ -49,10 +49,8 @@ void GuardMemory::forget() {
 std::string GuardMemory::remembered() const {
   if (recalled_) return to_text(*recalled_);
   if (!by_odometry_ || !latest_) return {};
-  KeptPlaces kept = *latest_;
-  const Whereabouts robot{kept.robot, {}, odometry_drift_};
-  kept.all = out_of_sight_.placed(robot, latest_at_);
-  return to_text(kept);
+  const Pose2& pose = latest_->robot.pose;
+  return to_text({latest_->stamp, pose, out_of_sight_.placed({pose, {}, odometry_drift_}, latest_->at)});
 }
 
 bool GuardMemory::recall(const std::string& remembered) {
@@ -102,7 +100,7 @@ bool GuardMemory::note_breaks(const Went& went, const Instant& now) {
 /// Until odometry speaks again, in whichever frame that is then.
 void GuardMemory::go_on_as_told(const Instant& now) {
   if (latest_) {
-    out_of_sight_.go_on_in_frame(latest_robot_, latest_as_told_, now.steady);
+    out_of_sight_.go_on_in_frame(latest_->robot, latest_->as_told, now.steady);
   } else {
     out_of_sight_.forget();
   }
@@ -116,10 +114,8 @@ std::optional<Pose2> GuardMemory::note(std::size_t sensor, const Look& look, con
   const auto robot = whereabouts_at(now.ros - look.stamp, went, now);
   if (robot) {
     if (recalled_ && by_odometry_ && !is_over(*recalled_, now)) place_recalled(sensor, look.stamp, *robot, went, now);
-    latest_ = KeptPlaces{look.stamp, robot->pose, {}};
-    latest_at_ = now.steady;
-    latest_robot_ = *robot;
-    latest_as_told_ = went.given.whereabouts_at(now.steady - (now.ros - look.stamp));
+    const auto as_told = went.given.whereabouts_at(now.steady - (now.ros - look.stamp));
+    latest_ = Latest{look.stamp, now.steady, *robot, as_told};
     out_of_sight_.note(sensor, look, *robot, now.steady, way_during(look, went, now));
   } else {
     out_of_sight_.note_unplaced(sensor, now.steady);

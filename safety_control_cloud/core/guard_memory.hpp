@@ -75,6 +75,12 @@ class GuardMemory {
   bool waits_for(const std::vector<GuardSensor>& sensors) const;
   std::optional<Doubt> doubt_at(const Instant& now, const Went& went, const std::vector<GuardSensor>& sensors) const;
 
+  struct Latest {
+    double stamp, at;     ///< [s] ROS, steady
+    Whereabouts robot;    ///< then, in the frame of the places
+    Whereabouts as_told;  ///< the same by what the base was told
+  };
+
   OutOfSight out_of_sight_;
   double odometry_drift_;               ///< [m/m], [rad/rad]
   double margin_;                       ///< [m]
@@ -84,10 +90,7 @@ class GuardMemory {
   bool by_odometry_ = false;            ///< it is known where that is; or else by what the base was told
   std::size_t breaks_ = 0;              ///< of the odometry, after which that began
   std::optional<KeptPlaces> recalled_;  ///< of another process, and not placed yet
-  std::optional<KeptPlaces> latest_;    ///< without its places: when and where the latest look was taken
-  double latest_at_ = 0.0;              ///< [s, steady]
-  Whereabouts latest_robot_;            ///< at that look, in the frame of the places
-  Whereabouts latest_as_told_;          ///< the same by what the base was told
+  std::optional<Latest> latest_;        ///< look that was placed
   std::optional<double> told_since_;    ///< [s, steady] odometry broke off, and has not spoken since
   std::optional<double> jumped_;        ///< [s, ROS] since then odometry goes on, and not every sensor has looked
 };

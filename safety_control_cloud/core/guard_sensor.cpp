@@ -237,10 +237,7 @@ std::vector<Pose2> GuardSensor::ways_since_look(const Instant& now, const Odomet
 
 bool GuardSensor::misses(const Point2& place, const Heights& heights) const {
   if (!taken_ || own_.input == InputKind::Scan || !taken_->eye.sees(place)) return false;
-  const auto seen = [&](double height) {
-    const Point there(static_cast<float>(-place.y), static_cast<float>(-height), static_cast<float>(place.x));
-    return taken_->outlook.seen_from_camera(there);
-  };
+  const auto seen = [&](double height) { return taken_->outlook.seen_from_camera(in_corridor_axes(place, height)); };
   const Point low = seen(heights.bottom), high = seen(heights.top);
   const auto [up, down] = std::minmax(taken_->field.top, taken_->field.bottom);
   const auto is_above = [up = up](const Point& there) { return there.y < up * there.z; };

@@ -7,10 +7,11 @@ import pytest
 
 from safety_control_cloud import core
 from safety_control_cloud.simulation.hull import BODY_RADIUS
+from safety_control_cloud.simulation.sensor import Xtion
 
 WIDTH, HEIGHT = 120, 90
 FOCAL = WIDTH / 2 / np.tan(np.radians(30))  # [px]
-CAMERA_X, CAMERA_Z = -0.087, 0.2972  # [m] in base_footprint
+CAMERA_X, _, CAMERA_Z = Xtion().mount  # [m] in base_footprint
 CAMERA = np.array([[0, 0, 1, CAMERA_X], [-1, 0, 0, 0], [0, -1, 0, CAMERA_Z]], float)
 PERIOD = 0.05  # [s]
 RIGHT, DOWN = np.meshgrid((np.arange(WIDTH) - (WIDTH - 1) / 2) / FOCAL, (np.arange(HEIGHT) - (HEIGHT - 1) / 2) / FOCAL)

@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <unordered_map>
 #include <utility>
+
+#include "cell_key.hpp"
+#include "tops.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
-constexpr double cell = 0.015, layer = 0.1;  ///< [m] across and up
-constexpr double column = 0.02;      ///< [m] across: in the next one, too, the same thing stands, seen higher up
-constexpr std::size_t most = 30000;  ///< places
+constexpr double cell = 0.015, layer = 0.1;   ///< [m] across and up
+constexpr std::size_t most = 30000;           ///< places
 constexpr std::size_t most_of_a_look = 8560;  ///< of these: of a scan with more beams, the last are not kept
 constexpr double kept_share = 0.75;           ///< of them where there are too many
 constexpr std::uint8_t believed = 2;          ///< looks that show a place, or what is behind it
@@ -25,49 +25,7 @@ constexpr double rests_for = 0.3;     ///< [s] between two looks that show the s
 constexpr double own_size = 0.01;     ///< [m] by which a return may lie beside the place of its cell
 constexpr double well_placed = 0.02;  ///< [m] odometry that drifted by no more has a place where it is
 
-std::uint64_t key_of(const Point2& place, double height) {
-  const auto part = [](double value) { return static_cast<std::uint64_t>(std::llround(value)) & 0x1fffffU; };
-  return part(place.x / cell) << 42U | part(place.y / cell) << 21U | part(height / layer);
-}
-
-/// How high the returns of a look reach.
-class Tops {
- public:
-  explicit Tops(const std::vector<NearReturn>& all) {
-    for (const NearReturn& one : all) {
-      float& top = of_column_.try_emplace(column_of(one.place), one.height).first->second;
-      top = std::max(top, one.height);
-    }
-  }
-
-  /// [m] of one of them, in its column and the eight around that: asked for once for each column.
-  float around(const NearReturn& one) {
-    const auto [found, is_new] = around_.try_emplace(column_of(one.place), one.height);
-    if (is_new) found->second = highest_around(one.place);
-    return found->second;
-  }
-
- private:
-  static std::uint64_t column_of(const Point2& place) { return key_of((cell / column) * place, 0.0); }
-
-  float highest_around(const Point2& place) const {
-    float top = -std::numeric_limits<float>::infinity();
-    for (const double ahead : {-column, 0.0, column}) {
-      for (const double left : {-column, 0.0, column}) {
-        const auto found = of_column_.find(column_of(place + Point2{ahead, left}));
-        if (found != of_column_.end()) top = std::max(top, found->second);
-      }
-    }
-    return top;
-  }
-
-  std::unordered_map<std::uint64_t, float> of_column_, around_;
-};
-
-/// Where a place of base_frame lies in the corridor's axes.
-Point in_axes(const Point2& place, float height) {
-  return Point(static_cast<float>(-place.y), -height, static_cast<float>(place.x));
-}
+std::uint64_t key_of(const Point2& place, double height) { return key_of_cell(place, cell, height, layer); }
 
 }  // namespace
 
@@ -80,10 +38,10 @@ void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& r
   if (!seen_at.can_tell()) return;
   make_room(robot.pose.place);
   const std::vector<NearReturn> all = near_returns(look, limits_.vicinity, robot.pose, meanwhile);
-  const bool asked_for = !robot.or_else.empty();  // by odometry every place counts, however high
-  Tops tops(asked_for ? all : std::vector<NearReturn>{});
+  std::optional<Tops> tops;
+  if (!robot.or_else.empty()) tops.emplace(all);  // by odometry every place counts, however high
   for (const NearReturn& seen : all)
-    keep(seen, now, displacement(meanwhile, seen.range), asked_for ? tops.around(seen) : seen.height);
+    keep(seen, now, displacement(meanwhile, seen.range), tops ? tops->around(seen) : seen.height);
   drop_what_has_gone(look, seen_at, robot, now, meanwhile);
 }
 
@@ -159,7 +117,7 @@ void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, con
   WaySince way_since(looks_, robot);
   const bool is_scan = std::holds_alternative<ScanView>(look.reading);
   const auto from_camera = [&](const Point2& here, float height) {
-    return look.outlook.seen_from_camera(in_axes(here, height));
+    return look.outlook.seen_from_camera(in_corridor_axes(here, height));
   };
   for (auto it = places_.begin(); it != places_.end();) {
     Place& place = it->second;
@@ -267,7 +225,7 @@ std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Whereab
   for_each(robot, now, [&](const Place& place, const Here& here) {
     if (here.look.at - place.first_seen < rests_for || here.off > well_known) return;
     const double off = here.off + limits_.speed * (now - here.look.at);
-    places.push_back({here.place, camera.seen_from_camera(in_axes(here.place, place.z)), off, here.look.at});
+    places.push_back({here.place, camera.seen_from_camera(in_corridor_axes(here.place, place.z)), off, here.look.at});
   });
   return places;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "../input/cloud.hpp"
 #include "../path/obstacles.hpp"
 #include "../path/twist.hpp"
 
@@ -41,6 +42,11 @@ inline Pose2 beyond(const Pose2& from, const Pose2& way) {
 
 /// A share of a way that is not long.
 inline Pose2 shared(const Pose2& way, double share) { return {share * way.place, share * way.heading}; }
+
+/// A place of base_frame in the corridor's axes: x right, y down, z ahead.
+inline Point in_corridor_axes(const Point2& place, double height) {
+  return Point(static_cast<float>(-place.y), static_cast<float>(-height), static_cast<float>(place.x));
+}
 
 /// How far a twist leads in `time` [s].
 inline Pose2 way_of(const Twist2& twist, double time) {
