@@ -15,6 +15,7 @@ constexpr double longest_gap = 0.25;  ///< [s] over which a twist is taken to la
 constexpr double most_off = 0.1;      ///< [m], [rad] by which a pose may miss what the twists before and after explain
 constexpr double most_off_rate = 0.25;  ///< the same, as a share of what they explain
 constexpr double noise = 0.01;          ///< [m], [rad] of a pose
+constexpr double told_for = 1.0;        ///< [s] that a jump is told of
 
 bool is_finite(const Pose2& pose) { return is_finite(pose.place) && std::isfinite(pose.heading); }
 
@@ -106,7 +107,10 @@ bool Odometry::is_fresh(double now) const {
 
 std::optional<std::string> Odometry::doubt_at(double now) const {
   if (noted_.empty()) return breaks_ > 0 ? std::optional<std::string>("it told what no robot does") : std::nullopt;
-  if (is_fresh(now)) return std::nullopt;
+  if (is_fresh(now)) {
+    if (breaks_ == 0 || now - since_ > told_for) return std::nullopt;
+    return words("it did not go on from what it had told, for the ", breaks_, ". time");
+  }
   const double age = now - noted_.back().stamp;
   return "its latest stamp is " + measured(std::abs(age), "s") + (age > 0.0 ? " old" : " ahead");
 }

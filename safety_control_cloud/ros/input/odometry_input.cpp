@@ -19,8 +19,8 @@ OdometryInput::OdometryInput(ros::NodeHandle& handle, GuardControl& control,
   }
   subscriber_ = handle.subscribe<nav_msgs::Odometry>(
       "odom", 10,
-      boost::function<void(const nav_msgs::Odometry::ConstPtr&)>(
-          [this](const nav_msgs::Odometry::ConstPtr& odometry) { on_message(*odometry); }),
+      boost::function<void(const ros::MessageEvent<nav_msgs::Odometry const>&)>(
+          [this](const ros::MessageEvent<nav_msgs::Odometry const>& event) { on_message(event); }),
       nullptr, ros::TransportHints().tcpNoDelay());
 }
 
@@ -29,7 +29,9 @@ void OdometryInput::ask(const tf2_ros::Buffer& buffer) {
   if (told) control_.note_pose(told->stamp, told->pose);
 }
 
-void OdometryInput::on_message(const nav_msgs::Odometry& odometry) {
+void OdometryInput::on_message(const ros::MessageEvent<nav_msgs::Odometry const>& event) {
+  const nav_msgs::Odometry& odometry = *event.getConstMessage();
+  note_publisher(event.getPublisherName());
   const std::string& base = control_.settings().base_frame;
   if (odometry.child_frame_id != base && !warned_of_frame_) {
     warn_("odometry is of " + odometry.child_frame_id + "; it is taken for that of " + base +
@@ -39,6 +41,16 @@ void OdometryInput::on_message(const nav_msgs::Odometry& odometry) {
   const auto& twist = odometry.twist.twist;
   control_.note_odometry(odometry.header.stamp.toSec(), pose_of(odometry.pose.pose),
                          {twist.linear.x, twist.linear.y, twist.angular.z});
+}
+
+/// One that was started again under another name is not two.
+void OdometryInput::note_publisher(const std::string& name) {
+  if (name == latest_) return;
+  if (name == before_ && !warned_of_two_) {
+    warn_("odometry comes from " + name + " and from " + latest_ + " in turn; where the robot went, only one may tell");
+    warned_of_two_ = true;
+  }
+  before_ = std::exchange(latest_, name);
 }
 
 }  // namespace safety_control_cloud

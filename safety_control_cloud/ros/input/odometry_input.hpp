@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nav_msgs/Odometry.h>
+#include <ros/message_event.h>
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
 
@@ -17,7 +18,8 @@ namespace safety_control_cloud {
 /// Where the robot goes, on its way into the control: from nav_msgs/Odometry, or with an odom_frame from TF.
 class OdometryInput {
  public:
-  /// What it is told of is told to `control`; `warn` of a frame that is not base_frame, once.
+  /// What it is told of is told to `control`; `warn`, once each, of a frame that is not base_frame, and of two that
+  /// publish it in turn.
   OdometryInput(ros::NodeHandle& handle, GuardControl& control, std::function<void(const std::string&)> warn);
   OdometryInput(const OdometryInput&) = delete;
   OdometryInput& operator=(const OdometryInput&) = delete;
@@ -26,13 +28,15 @@ class OdometryInput {
   void ask(const tf2_ros::Buffer& buffer);
 
  private:
-  void on_message(const nav_msgs::Odometry& odometry);
+  void on_message(const ros::MessageEvent<nav_msgs::Odometry const>& event);
+  void note_publisher(const std::string& name);
 
   GuardControl& control_;
   std::function<void(const std::string&)> warn_;
   std::optional<TfOdometry> transforms_;
   ros::Subscriber subscriber_;
-  bool warned_of_frame_ = false;
+  std::string latest_, before_;  ///< who publishes: the latest, and the latest other one
+  bool warned_of_frame_ = false, warned_of_two_ = false;
 };
 
 }  // namespace safety_control_cloud

@@ -94,6 +94,17 @@ TEST(Odometry, AJumpAGapOrNoNumberBeginsItAnew) {
   EXPECT_FALSE(back.way_since(10.4, 10.5));
 }
 
+TEST(Odometry, AJumpIsToldOfForASecond) {
+  Odometry odometry;
+  drive(odometry, {}, 10.0, 1.0);
+  EXPECT_EQ(odometry.doubt_at(11.0), std::nullopt);
+  for (int i = 1; i <= 3; ++i) odometry.note(11.0 + 0.02 * i, {{i % 2 == 0 ? 0.0 : 1.0, 0.0}, 0.0}, {});
+  EXPECT_EQ(odometry.doubt_at(11.06), "it did not go on from what it had told, for the 3. time");
+  for (int i = 4; i <= 60; ++i) odometry.note(11.0 + 0.02 * i, {{1.0, 0.0}, 0.0}, {});
+  EXPECT_TRUE(odometry.doubt_at(12.0));
+  EXPECT_EQ(odometry.doubt_at(12.1), std::nullopt);
+}
+
 TEST(Odometry, AHalfTurnIsNoJump) {
   Odometry odometry;
   for (int i = 0; i < 20; ++i) {
