@@ -32,7 +32,7 @@ def arguments(words: Optional[Sequence[str]] = None) -> argparse.Namespace:
     parser.add_argument("--clouds", type=count, metavar="N", help="through processes, a repetition (50, quick: 20)")
     parser.add_argument("--peer", type=checkout_of, metavar="PATH",
                         help="beside the guard, safety_limiter from your checkout of at-wat/neonavigation there and of neonavigation_msgs, "
-                             "as in a workspace's src; needs --only guard")
+                             "as in a workspace's src or cloned beside it; needs --only guard")
     parser.add_argument("--without-highway", action="store_true", help="the kernel as it is where Highway is not installed; --only kernel")
     parser.add_argument("--store-instructions", action="store_true", help="hold the kernel to today's from now on")
     given = parser.parse_args(words)

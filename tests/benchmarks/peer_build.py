@@ -47,7 +47,7 @@ def prefixes() -> Iterator[Path]:
 def refuse_what_is_missing(checkout: Checkout, installed: List[Path]) -> None:
     missing = [f"{name} (of {home})" for name, home in sorted(checkout.missing.items()) if share(name, installed) is None]
     if missing:
-        raise ProcessError(f"{PACKAGE} needs {' and '.join(missing)}: neither beside it in the folder of --peer nor installed")
+        raise ProcessError(f"{PACKAGE} needs {' and '.join(missing)}: not in the folder of --peer, no clone beside that, and not installed")
 
 
 def share(package: str, installed: List[Path]) -> Optional[Path]:

@@ -5,7 +5,7 @@ import os
 import xml.etree.ElementTree as xml
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Dict, Iterator, List, Mapping, Set
+from typing import Dict, Iterator, List, Mapping, Sequence, Set
 
 PACKAGE = "safety_limiter"
 HOMES = {  # where a dependency comes from that no Debian has
@@ -27,12 +27,25 @@ def checkout_of(text: str) -> Checkout:
     folder = Path(text).expanduser()
     if not folder.is_dir():
         raise argparse.ArgumentTypeError(f"{text} is not a folder")
-    there = {name_of(file): file.parent for file in manifests(folder)}
+    there = {**cloned_beside(folder), **packages_in(folder)}
     if PACKAGE not in there:
         raise argparse.ArgumentTypeError(f"no package {PACKAGE} in {text}; it is in a checkout of at-wat/neonavigation (ROS 1)")
+    if "catkin" not in named(("buildtool_depend",), there[PACKAGE] / "package.xml"):
+        raise argparse.ArgumentTypeError(f"{there[PACKAGE]} is not of ROS 1: its package.xml asks for no catkin; check out another branch or tag")
     names = closure(PACKAGE, there)
     return Checkout({name: there[name].resolve() for name in sorted(names & set(there))},
                     {name: home for name, home in HOMES.items() if name in names and name not in there})
+
+
+def packages_in(folder: Path) -> Dict[str, Path]:
+    return {name_of(file): file.parent for file in manifests(folder)}
+
+
+def cloned_beside(folder: Path) -> Dict[str, Path]:
+    """The packages of HOMES, for who gives one of two clones that lie side by side."""
+    homes = (folder.resolve().parent / home.split("/")[1] for home in HOMES.values())
+    beside = {name: package for home in homes if home.is_dir() for name, package in packages_in(home).items()}
+    return {name: package for name, package in beside.items() if name in HOMES}
 
 
 def manifests(folder: Path) -> Iterator[Path]:
@@ -64,10 +77,10 @@ def closure(name: str, there: Mapping[str, Path]) -> Set[str]:
         name = waiting.pop()
         if name not in seen:
             seen.add(name)
-            waiting += dependencies(there[name] / "package.xml") if name in there else []
+            waiting += named(DEPENDENCIES, there[name] / "package.xml") if name in there else []
     return seen
 
 
-def dependencies(manifest: Path) -> List[str]:
+def named(tags: Sequence[str], manifest: Path) -> List[str]:
     root = xml.parse(manifest).getroot()
-    return [(element.text or "").strip() for tag in DEPENDENCIES for element in root.findall(tag)]
+    return [(element.text or "").strip() for tag in tags for element in root.findall(tag)]

@@ -26,11 +26,11 @@ add_executable(safety_limiter main.cpp)
 USES_PLACEHOLDERS = "int main() { return boost::bind(+[](int, int) { return 0; }, _1, _2)(1, 2); }\n"  # which Debian's ROS leaves out
 
 
-def package(folder: Path, name: str, *needs: str) -> Path:
+def package(folder: Path, name: str, *needs: str, buildtool: str = "catkin") -> Path:
     folder.mkdir(parents=True)
     depends = "".join(f"<depend>{need}</depend>" for need in needs)
     about = "<version>0.1.0</version><description>.</description><maintainer email='a@example.org'>a</maintainer><license>BSD</license>"
-    built = "<buildtool_depend>catkin</buildtool_depend>"
+    built = f"<buildtool_depend>{buildtool}</buildtool_depend>"
     (folder / "package.xml").write_text(f"<package format='2'><name>{name}</name>{about}{built}{depends}</package>")
     return folder
 
@@ -63,6 +63,25 @@ def test_the_package_itself_is_a_checkout_that_lacks_its_neighbours(src):
     checkout = checkout_of(str(src / "neonavigation" / "safety_limiter"))
     assert set(checkout.packages) == {"safety_limiter"}
     assert checkout.missing == {MSGS: "at-wat/neonavigation_msgs", "neonavigation_common": "at-wat/neonavigation"}
+
+
+def test_a_clone_finds_the_messages_cloned_beside_it(src):
+    (src / "msgs").rename(src / "neonavigation_msgs")
+    package(src / "neonavigation_msgs" / "planner_msgs", "planner_msgs")
+    checkout = checkout_of(str(src / "neonavigation"))
+    assert checkout.packages[MSGS] == src / "neonavigation_msgs" / MSGS and not checkout.missing
+    assert "planner_msgs" not in checkout.packages
+
+
+def test_what_lies_in_the_given_folder_counts_before_a_clone_beside_it(src):
+    package(src / "neonavigation_msgs" / MSGS, MSGS)
+    package(src / "neonavigation" / MSGS, MSGS)
+    assert checkout_of(str(src / "neonavigation")).packages[MSGS] == src / "neonavigation" / MSGS
+
+
+def test_a_branch_for_ros_2_is_refused_at_once(tmp_path, capsys):
+    package(tmp_path / "safety_limiter", "safety_limiter", "rclcpp", buildtool="ament_cmake_auto")
+    assert "is not of ROS 1" in refused(capsys, "--only", "guard", "--peer", str(tmp_path))
 
 
 def test_a_repository_that_is_linked_into_the_workspace_counts(src, tmp_path):
@@ -108,7 +127,7 @@ def test_it_is_no_part_of_a_full_run():
 
 def test_what_lies_neither_beside_it_nor_is_installed_is_named_with_its_repository(src, tmp_path):
     checkout = checkout_of(str(src / "neonavigation"))
-    with pytest.raises(ProcessError, match=r"safety_limiter_msgs \(of at-wat/neonavigation_msgs\): neither beside it"):
+    with pytest.raises(ProcessError, match=r"safety_limiter_msgs \(of at-wat/neonavigation_msgs\): not in the folder"):
         peer_build.refuse_what_is_missing(checkout, [tmp_path])
     package(tmp_path / "share" / MSGS, MSGS)
     peer_build.refuse_what_is_missing(checkout, [tmp_path])
