@@ -45,6 +45,7 @@ MEANINGS = {
     "guard_latency_ms": "command to answer, as a guard [ms]",
     "guard_latency_p99_ms": "the same, of a hundred the slowest",
     "guard_nodelet_latency_ms": "the same inside one process",
+    "guard_nodelet_with_one_camera_latency_ms": "the same with one VGA camera and no laser",
     "guard_cpu_vs_floor": "CPU of the guard / of a node that hears the same and passes all",
     "peer_cpu_vs_guard": "CPU a VGA cloud, safety_limiter / the guard; more is better",
     "peer_cpu_vs_guard_above_floor": "the same, each less a node that passes all; more is better",
