@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "../look/outlook.hpp"
@@ -60,6 +61,17 @@ class NearGround {
 
   bool read_row(const Pixels& picture, const Outlook& outlook, float distance, std::size_t number, Columns which);
   Stand stand_of(const Foot& foot, const Pixels& picture, const Outlook& outlook) const;
+  // Of one column, in the rows that are read.
+  std::size_t lowest_of(const Foot& foot, std::size_t column, const Pixels& picture, const Outlook& outlook) const;
+  std::optional<std::size_t> surface_below(std::size_t lowest, std::size_t column, const Pixels& picture,
+                                           const Outlook& outlook) const;
+  std::optional<std::size_t> others_below(std::size_t lowest, const Foot& foot, std::size_t column,
+                                          const Pixels& picture, const Outlook& outlook) const;
+  Code code_in(std::size_t i, std::size_t column, const Pixels& picture, const Outlook& outlook) const;
+  bool is_of(const Foot& foot, std::size_t i, std::size_t column, const Pixels& picture, const Outlook& outlook) const;
+  float ahead_in(std::size_t i, std::size_t column, const Pixels& picture, const Outlook& outlook) const;  ///< [m]
+  std::size_t read_row_at(std::size_t picture_row) const { return (height_ - 1 - picture_row) / row_step_; }
+  std::size_t most_blank() const;  ///< rows that are read between a thing and the floor that it stands on
 
   // Of one row, as far as it is read.
   PixelRow read_;

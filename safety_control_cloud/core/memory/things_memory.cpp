@@ -211,19 +211,20 @@ void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor
     if (!spot.axis) spot.axis = axis;
     if (!are_same(*spot.axis, axis, same_axis)) return false;
     if (evidence == Evidence::Past && between_rays) evidence = Evidence::Nothing;
-    if (evidence == Evidence::Past && !thing.is_seen() && leaves_at_the_top(spot, picture)) {
+    if (spot.lost_for < floor.after) ++spot.lost_for;
+    const bool may_stand = spot.stands && spot.column_shown && spot.lost_for >= floor.after;
+    const bool stood_here = may_stand && !floor_between && floor.is_seen_again(spot.column);
+    if (evidence == Evidence::Past && !stood_here && !thing.is_seen() && leaves_at_the_top(spot, picture)) {
       leaving += double{spot.share};
       return false;
     }
-    if (spot.lost_for < floor.after) ++spot.lost_for;
-    const bool may_stand = spot.stands && spot.column_shown && spot.lost_for >= floor.after;
     spot.seen_past = evidence == Evidence::Past ? static_cast<std::uint8_t>(spot.seen_past + 1) : std::uint8_t{0};
     // Seen again, it is a thing that is seen; what comes nearer while a part of it is seen is that thing itself.
     const bool again =
         evidence == Evidence::There || (evidence == Evidence::Hidden && thing.is_seen() &&
                                         picture.near(spot.row, spot.column).z > spot.point.z - farthest_step);
     if (again) return true;
-    if (spot.seen_past >= clouds_to_go || (may_stand && !floor_between && floor.is_seen_again(spot.column))) {
+    if (spot.seen_past >= clouds_to_go || stood_here) {
       thing.freed += double{spot.share};
       return true;
     }
