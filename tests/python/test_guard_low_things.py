@@ -58,3 +58,16 @@ def test_the_end_of_a_low_thing_stays_where_it_was_below_the_picture(height, spe
 @pytest.mark.parametrize("low", [0.49, 0.52])
 def test_the_edge_of_a_table_stays_where_it_was_above_the_picture(low, speed, odometry):
     assert 0.03 < gap_left(low, low + 0.03, speed, odometry) < 0.4
+
+
+def test_the_end_of_a_beam_stays_where_it_was_for_who_coasts_between_bursts():
+    control = core.GuardControl(core.Settings(mode="guard"))
+    x, speed, end = 0.0, 0.0, 0.9 + BODY_RADIUS  # [m], [m/s] of the robot, [m] of what stands there
+    for i in range(300):
+        now = i * PERIOD
+        control.see(picture(end - x - CAMERA_X, 0.0, 0.126), now=now, stamp=1000.0 + now, ros_now=1000.0 + now, camera=CAMERA)
+        control.want((0.7 if now > 1.0 and i % 5 == 0 else 0.0, 0.0, 0.0), (0.0, 0.0, 0.0), now=now, ros_now=1000.0 + now)
+        told = control.answer(now=now, ros_now=1000.0 + now).given.linear[0]
+        speed = max(told, speed - 0.36 * PERIOD)  # it gains speed at once
+        x += PERIOD * speed
+    assert 0.03 < end - BODY_RADIUS - x < 0.4

@@ -16,7 +16,6 @@ constexpr double step = 0.02;           ///< [s] in which a way is gone
 constexpr double longest_way = 2.0;     ///< [s] in more steps; longer ones in as many longer steps
 constexpr double no_difference = 1e-6;  ///< [m], [rad]
 constexpr double rounding = 1e-9;       ///< [s], [m/s], [rad/s]
-constexpr double brisk = 3.0;           ///< times the slowest
 constexpr double timeout = 0.5;         ///< [s] after which a base may stop that is told nothing
 constexpr double slip = 0.1;            ///< [m/m], [rad/rad] by which wheels may miss what they are told
 
@@ -25,6 +24,8 @@ constexpr double lagging_speed = 0.015, lagging_turning = 0.1;
 constexpr double measures_nothing = 0.3;  ///< of its speed: some odometry tells poses, and no twists
 
 double toward(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
+
+double steps_in(double time) { return std::ceil(std::min(time, longest_way) / step); }
 
 /// A base may gain speed at any rate, but loses it no slower than at this one.
 double slowed(double from, double to, double most) {
@@ -40,12 +41,7 @@ Twist2 sum(const Twist2& a, const Twist2& b) { return {a.vx + b.vx, a.vy + b.vy,
 
 void Given::note(const Twist2& twist, double now) {
   if (!told_.empty() && same(told_.back().twist, twist) && now - told_.back().since < following_.delay) return;
-  Told told{now, twist, {}, {}, at_once(now), half(now), forgetful(now)};
-  for (const Late base : {Slow, Sluggish, Brisk}) {
-    told.late[base] = twist_of(base, now);
-    told.late_at[base] = pose_of(base, now);
-  }
-  told_.push_back(told);
+  told_.push_back({now, twist, slowly_at(now), slow_pose_at(now), at_once(now), half(now), extremes_at(now)});
   while (told_.size() > 1 && told_[1].since < now - kept) told_.pop_front();
 }
 
@@ -60,19 +56,17 @@ Twist2 Given::told_at(double moment) const {
 }
 
 /// From what it did when it was told last, by all that had its effect since, one after the other.
-Twist2 Given::twist_of(Late base, double moment) const {
+Twist2 Given::slowly_at(double moment) const {
   const auto after = first_after(moment);
   if (after == told_.begin()) return {};
   const Told& last = *std::prev(after);
-  const auto next = base == Slow ? slowed : toward;
-  const double quickness = base == Brisk ? brisk : 1.0;
-  Twist2 twist = last.late[base];
+  Twist2 twist = last.slow;
   double time = last.since;
   const auto follow = [&](double until) {
     const Twist2 aim = told_at(time - following_.delay + rounding);
-    const double linear = quickness * following_.linear_deceleration * (until - time);
-    const double angular = quickness * following_.angular_deceleration * (until - time);
-    twist = {next(twist.vx, aim.vx, linear), next(twist.vy, aim.vy, linear), next(twist.w, aim.w, angular)};
+    const double linear = following_.linear_deceleration * (until - time);
+    const double angular = following_.angular_deceleration * (until - time);
+    twist = {slowed(twist.vx, aim.vx, linear), slowed(twist.vy, aim.vy, linear), slowed(twist.w, aim.w, angular)};
     time = until;
   };
   for (auto told = first_after(time - following_.delay); told != told_.end(); ++told) {
@@ -154,16 +148,39 @@ double Given::slowing_along(const Twist2& wanted, double now, double time,
   return std::max(0.0, std::min(1.0, share_of(slow)) - time / std::max(to_stop, to_face));
 }
 
-Pose2 Given::pose_of(Late base, double moment) const {
+Pose2 Given::slow_pose_at(double moment) const {
   if (told_.empty()) return {};
   const auto after = first_after(moment);
-  if (after == told_.begin()) return told_.front().late_at[base];
+  if (after == told_.begin()) return told_.front().slow_at;
   const Told& last = *std::prev(after);
-  const double time = moment - last.since, steps = std::ceil(std::min(time, longest_way) / step);
-  Pose2 pose = last.late_at[base];
+  const double time = moment - last.since, steps = steps_in(time);
+  Pose2 pose = last.slow_at;
   for (double i = 0.0; i < steps; ++i)
-    pose = beyond(pose, way_of(twist_of(base, last.since + i * time / steps), time / steps));
+    pose = beyond(pose, way_of(slowly_at(last.since + i * time / steps), time / steps));
   return pose;
+}
+
+/// What the base may obey: all that it was told no longer than the delay ago, and to stand, if that was long ago.
+TwistRange Given::aims_at(double moment) const {
+  auto told = first_after(moment);
+  if (told == told_.begin()) return {};
+  TwistRange aims{std::prev(told)->twist, std::prev(told)->twist};
+  if (moment - std::prev(told)->since > timeout) aims = spanning(aims, {});
+  while (--told != told_.begin() && told->since > moment - following_.delay)
+    aims = spanning(aims, std::prev(told)->twist);
+  return told == told_.begin() && told->since > moment - following_.delay ? spanning(aims, {}) : aims;
+}
+
+Extremes Given::extremes_at(double moment) const {
+  if (told_.empty()) return {};
+  const auto after = first_after(moment);
+  if (after == told_.begin()) return told_.front().extremes;
+  const Told& last = *std::prev(after);
+  const double time = moment - last.since, steps = steps_in(time);
+  Extremes extremes = last.extremes;
+  for (double i = 0.0; i < steps; ++i)
+    extremes.go_on(aims_at(last.since + (i + 0.5) * time / steps), time / steps, following_);
+  return extremes;
 }
 
 /// From where it was when it was told last.
@@ -185,20 +202,11 @@ Pose2 Given::half(double moment) const {
                  [](const Told& last, double time) { return way_of(limited(last.twist, 0.5), time); });
 }
 
-Pose2 Given::forgetful(double moment) const {
-  return gone_on(moment, &Told::forgetful,
-                 [](const Told& last, double time) { return way_of(last.twist, std::min(time, timeout)); });
-}
-
 Given::Reckoned Given::reckoned_at(double moment) const {
-  return {at_once(moment), half(moment), pose_of(Slow, moment)};
+  return {at_once(moment), half(moment), slow_pose_at(moment)};
 }
 
-Whereabouts Given::whereabouts_at(double moment) const {
-  const Pose2 prompt = at_once(moment), sluggish = pose_of(Sluggish, moment);
-  const Pose2 amid{0.5 * (prompt.place + sluggish.place), 0.5 * (prompt.heading + sluggish.heading)};
-  return {amid, {prompt, sluggish, pose_of(Brisk, moment), pose_of(Slow, moment), forgetful(moment)}, slip};
-}
+Whereabouts Given::whereabouts_at(double moment) const { return extremes_at(moment).whereabouts(slip); }
 
 std::vector<Pose2> Given::ways_since(const Reckoned& then, double now) const {
   const Reckoned here = reckoned_at(now);

@@ -7,17 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include "extremes.hpp"
 #include "pose.hpp"
 #include "whereabouts.hpp"
 
 namespace safety_control_cloud {
-
-/// How a base follows what it is told, at its slowest.
-struct Following {
-  double delay;                 ///< [s] from a command to its effect
-  double linear_deceleration;   ///< [m/s2]
-  double angular_deceleration;  ///< [rad/s2]
-};
 
 /// What the base was told, and so what it may be doing and may have done, between obeying at once and as late and as
 /// slowly as it can. Times are steady [s].
@@ -49,35 +43,32 @@ class Given {
   /// true one lies between them.
   std::vector<Pose2> ways_since(const Reckoned& then, double now) const;
 
-  /// Where it is by all that it was told so far, however long that is: amid those, or else where one of those is, who
-  /// obey at once, or as late and as slowly as can be, or who stand when nobody tells them to go on. At most ten
-  /// seconds ago.
+  /// Where it is by all that it was told so far, however long that is, between those who obey at once, or as late and
+  /// as slowly as can be, one command so and the next otherwise, or who stand when nobody tells them to go on. At most
+  /// ten seconds ago.
   Whereabouts whereabouts_at(double moment) const;
 
  private:
-  /// Bases that obey as late as can be: one that gains speed at once and loses it as slowly as it can, one that gains
-  /// it as slowly too, and one that is three times as quick in both.
-  enum Late : std::size_t { Slow, Sluggish, Brisk, kinds };
-
+  /// At that moment: what a base did and where it was that obeys as late as can be, gains speed at once and loses it as
+  /// slowly as it can; where one was who obeys at once, or half of it; and all that one may have been.
   struct Told {
     double since;
     Twist2 twist;
-    std::array<Twist2, kinds> late;  ///< what these did at that moment
-    std::array<Pose2, kinds> late_at;
-    Pose2 at_once, half;
-    Pose2 forgetful;  ///< where one was who obeys at once, and not for long
+    Twist2 slow;
+    Pose2 slow_at, at_once, half;
+    Extremes extremes;
   };
 
   std::deque<Told>::const_iterator first_after(double moment) const;
   Twist2 told_at(double moment) const;
-  Twist2 twist_of(Late base, double moment) const;
-  Twist2 slowly_at(double moment) const { return twist_of(Slow, moment); }
-  Pose2 pose_of(Late base, double moment) const;
+  Twist2 slowly_at(double moment) const;
+  Pose2 slow_pose_at(double moment) const;
+  TwistRange aims_at(double moment) const;
+  Extremes extremes_at(double moment) const;
   template <class Way>
   Pose2 gone_on(double moment, Pose2 Told::*then, Way way) const;
   Pose2 at_once(double moment) const;
   Pose2 half(double moment) const;
-  Pose2 forgetful(double moment) const;
   /// What comes to the same, until it stops, as one twist that is kept for the delay.
   struct Steady {
     Twist2 twist;

@@ -7,11 +7,17 @@
 namespace safety_control_cloud {
 namespace {
 
+constexpr double no_difference = 1e-6;  ///< [m], [rad]
+
+/// None twice.
 std::vector<Pose2> ways_between(const Whereabouts& then, const Whereabouts& now) {
   const Pose2 way = between(then.pose, now.pose);
   std::vector<Pose2> ways;
-  for (std::size_t i = 0; i < std::min(then.or_else.size(), now.or_else.size()); ++i)
-    ways.push_back(between(way, between(then.or_else[i], now.or_else[i])));
+  for (std::size_t i = 0; i < std::min(then.or_else.size(), now.or_else.size()); ++i) {
+    const Pose2 other = between(way, between(then.or_else[i], now.or_else[i]));
+    const auto is_same = [&](const Pose2& one) { return displacement(between(one, other), 1.0) < no_difference; };
+    if (std::none_of(ways.begin(), ways.end(), is_same)) ways.push_back(other);
+  }
   return ways;
 }
 

@@ -110,7 +110,7 @@ std::uint8_t OutOfSight::looks_of(const Place& before) const {
 
 /// Where nobody knows quite where the robot is, or was, only what would be shown wherever that is: `beside` tells how
 /// far off in depth, and places to both sides are asked about too. A scan is told by how much it lies `aside`. Of who
-/// has no odometry, the ways that it may have gone tell.
+/// has no odometry, or had none as that was seen, the ways that it may have gone tell.
 void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Whereabouts& robot, double now,
                                     const Pose2& meanwhile) {
   const SeenAfter seen_after(robot.pose);
@@ -129,7 +129,7 @@ void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, con
     const double range = length_of(here), by_way = way_since.beside(place.look, range);
     const double by_look = displacement(meanwhile, range), drifted = way_since.off(place.look, range) - by_way;
     const double by_drift = robot.or_else.empty() && drifted > well_placed ? drifted : 0.0;
-    const double beside = by_way + by_look + by_drift, sideways = by_drift + (is_scan ? 0.0 : by_look);
+    const double beside = place.off + by_way + by_look + by_drift, sideways = by_drift + (is_scan ? 0.0 : by_look);
     const Point there = from_camera(here, place.z);
     const double aside = std::abs(meanwhile.heading) + length_of(meanwhile.place) / std::max(range, own_size);
     AtPlace seen = seen_at(there, beside, aside);
