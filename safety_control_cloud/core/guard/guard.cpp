@@ -10,6 +10,8 @@
 namespace safety_control_cloud {
 namespace {
 
+constexpr double most_beside = 0.1;    ///< [m] what lies beside a picture counts as nearer than reckoned by no more
+constexpr double sharp = 1.0;          ///< [rad/m]
 constexpr double well_reckoned = 0.2;  ///< [m] what may be off by more may as well be behind, or in the picture
 
 Allowed standing(const std::string& sensor, const Doubt& doubt) {
@@ -28,6 +30,8 @@ std::string in_words(const Limit& limit, const Point2& point) {
   return words(limit.is_escape ? "on the way out of the margin" : "obstacle", " at x ", measured(point.x, "m"), ", y ",
                measured(point.y, "m"));
 }
+
+bool turns_sharply(const Twist2& twist) { return std::abs(twist.w) > sharp * speed_of(twist); }
 
 bool may_leave(const Known& known, const Twist2& wanted) {
   if (!known.eye) return false;
@@ -183,16 +187,16 @@ Allowed Guard::by_sight(const Twist2& wanted, const UnderWay& under_way, const K
 
 /// Returns of the rings inside count as touched already, so that an obstacle that two rings share is one. What is
 /// placed by what the base was told counts wherever it may be; for who drives where the sensor looks that saw it, only
-/// beside what that shows, and where it is most likely to be, or he would not get past anything. What its picture
-/// misses counts for him too, wherever it may be within that.
+/// beside what that shows, and where it is most likely to be, or he would not get past anything: not far from there, if
+/// he turns toward it. What its picture misses counts for him too, wherever it may be within that.
 Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Known& known, const Ring& ring,
                        std::size_t nearer, bool is_shown) const {
   Allowed least;
   if (ring.returns == 0) return least;
   if (is_shown && !known.is_missed && ring.obstacles.widening > well_reckoned) return least;
   const double off = known.is_missed ? std::min(well_reckoned, ring.obstacles.widening)
-                     : is_shown      ? 0.0
-                                     : ring.obstacles.widening;
+                     : is_shown ? (turns_sharply(wanted) ? std::clamp(ring.obstacles.widening, 0.0, most_beside) : 0.0)
+                                : ring.obstacles.widening;
   const double widening = off + half_of_gap(known.ways, std::sqrt(2.0) * ring.extent);
   Law law = known.law;
   law.min_points = law.min_points > nearer ? law.min_points - nearer : 1;

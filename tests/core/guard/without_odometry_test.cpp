@@ -146,6 +146,16 @@ TEST(WithoutOdometry, TheFootOfWhatStandsInThePictureDoesNotCountBelowIt) {
   EXPECT_DOUBLE_EQ(robot.drives_on(post_at(ahead), on).factor, late.drives_on(post_at(ahead), on).factor);
 }
 
+/// It braked at once, or late and slowly.
+TEST(WithoutOdometry, WhatIsBesideThePictureMayBeNearerThanItMostLikelyIsToWhoTurnsThere) {
+  RobotWithoutOdometry robot;
+  for (float ahead = 0.8f; ahead > 0.5f; ahead -= 0.015f)
+    robot.drives_on(ahead > 0.7f ? Scene({post(ahead, 0.33f)}) : robot.hall, {0.3, 0.0, 0.0});
+  robot.passes(1.0, robot.hall);
+  EXPECT_LT(robot.drives_on(robot.hall, {0.3, 0.0, -0.9}).factor, 0.9);
+  EXPECT_EQ(robot.drives_on(robot.hall, {0.3, 0.0, -0.2}).factor, 1.0) << robot.wants({0.3, 0.0, -0.2}).reason;
+}
+
 /// Slower than anybody drives, for as long as it takes.
 TEST(WithoutOdometry, WhoCreepsDrivesToo) {
   RobotWithoutOdometry robot;
