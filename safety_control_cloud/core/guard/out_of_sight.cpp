@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "cell_key.hpp"
-#include "tops.hpp"
+#include "extents.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -38,10 +38,11 @@ void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& r
   if (!seen_at.can_tell()) return;
   make_room(robot.pose.place);
   const std::vector<NearReturn> all = near_returns(look, limits_.vicinity, robot.pose, meanwhile);
-  std::optional<Tops> tops;
-  if (!robot.or_else.empty()) tops.emplace(all);  // by odometry every place counts, however high
+  std::optional<Extents> extents;
+  if (!robot.or_else.empty()) extents.emplace(all);  // by odometry every place counts, however high
   for (const NearReturn& seen : all)
-    keep(seen, now, displacement(meanwhile, seen.range), tops ? tops->around(seen) : seen.height);
+    keep(seen, now, displacement(meanwhile, seen.range),
+         extents ? extents->around(seen) : Heights{seen.height, seen.height});
   drop_what_has_gone(look, seen_at, robot, now, meanwhile);
 }
 
@@ -74,11 +75,11 @@ const LooksTaken::Taken* OutOfSight::shown_by(const Place& place, double now) co
   return look && now - look->at <= limits_.time ? look : nullptr;
 }
 
-void OutOfSight::keep(const NearReturn& seen, double now, double off, float top) {
+void OutOfSight::keep(const NearReturn& seen, double now, double off, const Heights& stands) {
   const std::uint64_t key = key_of(seen.place, seen.height);
   const auto found = places_.find(key);
   if (found == places_.end() && places_.size() >= most) return;
-  Place kept{seen.place.x, seen.place.y, seen.height, top, looks_.latest(), now, off};
+  Place kept{seen.place.x, seen.place.y, seen.height, stands, looks_.latest(), now, off};
   if (found != places_.end()) {
     kept.first_seen = found->second.first_seen;
     kept.looks = looks_of(found->second);
@@ -216,7 +217,8 @@ void OutOfSight::recall(const std::vector<KeptPlace>& places, std::size_t sensor
   for (const KeptPlace& one : places) {
     const Point2 at = there.pose.place + turn(one.place);
     const auto height = static_cast<float>(one.height);
-    places_.emplace(key_of(at, height), Place{at.x, at.y, height, height, looks_.latest(), now, one.off, believed});
+    places_.emplace(key_of(at, height),
+                    Place{at.x, at.y, height, {height, height}, looks_.latest(), now, one.off, believed});
   }
 }
 
@@ -239,7 +241,7 @@ std::vector<Ring> OutOfSight::rings(const Whereabouts& robot, double reach, doub
   };
   for_each(robot, now, [&](const Place& place, const Here& here) {
     if ((of && here.look.sensor != *of) || is_shown(place, here) || here.range - here.off > reach) return;
-    if (asks && !asks(here.place, {place.z, place.top})) return;
+    if (asks && !asks(here.place, place.stands)) return;
     const auto fits = std::lower_bound(displaced.begin(), displaced.end() - 1, here.off);
     Ring& ring = rings[static_cast<std::size_t>(fits - displaced.begin())];
     ring.obstacles.points.push_back(here.place);

@@ -57,7 +57,7 @@ class OutOfSight {
   /// From now on these too are kept, as if `sensor` had shown them to a robot that was there.
   void recall(const std::vector<KeptPlace>& places, std::size_t sensor, const Whereabouts& there, double now);
 
-  /// Whether somebody asks for a place in base_frame, and what stood there between these heights.
+  /// Whether somebody asks for a place in base_frame, a part of what stood or hung there between these heights.
   using AsksFor = std::function<bool(const Point2& place, const Heights& heights)>;
 
   /// Whether anything would be kept.
@@ -80,7 +80,8 @@ class OutOfSight {
  private:
   struct Place {
     double x, y;         ///< [m] in the resting frame, which may begin far away
-    float z, top;        ///< [m] above base_frame: its own, and of what stood there
+    float z;             ///< [m] above base_frame
+    Heights stands;      ///< what it is a part of
     std::uint64_t look;  ///< the latest that showed it
     double first_seen;   ///< [s] steady
     double off = 0.0;    ///< [m] by which it may have been displaced as it was seen, or before this frame rested
@@ -101,7 +102,7 @@ class OutOfSight {
   bool counts(const Place& place, double now) const;
   template <class Visit>
   void for_each(const Whereabouts& robot, double now, Visit visit) const;
-  void keep(const NearReturn& seen, double now, double off, float top);
+  void keep(const NearReturn& seen, double now, double off, const Heights& stands);
   std::uint8_t looks_of(const Place& before) const;
   std::uint8_t looks_beside(const Point2& place, double height) const;
   void drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Whereabouts& robot, double now,

@@ -146,6 +146,16 @@ TEST(WithoutOdometry, TheFootOfWhatStandsInThePictureDoesNotCountBelowIt) {
   EXPECT_DOUBLE_EQ(robot.drives_on(post_at(ahead), on).factor, late.drives_on(post_at(ahead), on).factor);
 }
 
+/// It has turned away and back, and nobody knows well where that stands. The camera would see its lower part.
+TEST(WithoutOdometry, TheHeadOfWhatStandsOnTheFloorDoesNotCountAboveThePicture) {
+  RobotWithoutOdometry robot;
+  robot.passes(0.5, Scene({post(0.5f, 0.0f, 0.06f)}));
+  for (const double turning : {0.6, -0.6}) robot.turns_around(robot.hall, turning, 0.9);
+  for (int i = 0; i < 20; ++i) robot.drives_on(robot.hall, {0.2, 0.0, 0.0});
+  robot.passes(0.5, robot.hall);
+  EXPECT_EQ(robot.drives_on(robot.hall, {0.3, 0.0, 0.0}).factor, 1.0) << robot.wants({0.3, 0.0, 0.0}).reason;
+}
+
 /// It braked at once, or late and slowly.
 TEST(WithoutOdometry, WhatIsBesideThePictureMayBeNearerThanItMostLikelyIsToWhoTurnsThere) {
   RobotWithoutOdometry robot;
