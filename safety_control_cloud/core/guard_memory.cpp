@@ -213,7 +213,7 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
     all.push_back(known);
   };
   if (by_odometry_) {
-    add(out_of_sight_.rings(robot, reach, now.steady, shows));
+    add(out_of_sight_.rings(robot, reach, now.steady, shows).all);
     return all;
   }
   const bool was_placed = told_since_ && now.steady - *told_since_ <= time_;  // well, by odometry: all of it counts
@@ -222,11 +222,13 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
     const GuardSensor& sensor = sensors[i];
     known.seen_by = shows[i] ? sensor.eye() : std::nullopt;
     known.is_missed = false;
-    add(out_of_sight_.rings(robot, reach, now.steady, shows, i));
-    if (!known.seen_by || was_placed) continue;
+    const auto is_missed = [&](const Point2& place, const Heights& heights) {
+      return known.seen_by && !was_placed && sensor.misses(place, heights);
+    };
+    auto rings = out_of_sight_.rings(robot, reach, now.steady, shows, i, is_missed);
+    add(std::move(rings.all));
     known.is_missed = true;
-    const auto is_missed = [&](const Point2& place, const Heights& heights) { return sensor.misses(place, heights); };
-    add(out_of_sight_.rings(robot, reach, now.steady, shows, i, is_missed));
+    add(std::move(rings.asked_for));
   }
   return all;
 }

@@ -232,21 +232,23 @@ std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Whereab
   return places;
 }
 
-std::vector<Ring> OutOfSight::rings(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows,
+OutOfSight::Rings OutOfSight::rings(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows,
                                     std::optional<std::size_t> of, const AsksFor& asks) const {
-  std::vector<Ring> rings;
-  for (std::size_t i = 0; i < displaced.size(); ++i) rings.push_back({reach, {}});
+  const std::vector<Ring> empty(displaced.size(), Ring{reach, {}});
+  Rings rings{empty, empty};
   const auto is_shown = [&](const Place& place, const Here& here) {
     return shows[here.look.sensor] && looks_.is_latest_of_its_sensor(place.look);
   };
   for_each(robot, now, [&](const Place& place, const Here& here) {
     if ((of && here.look.sensor != *of) || is_shown(place, here) || here.range - here.off > reach) return;
-    if (asks && !asks(here.place, place.stands)) return;
     const auto fits = std::lower_bound(displaced.begin(), displaced.end() - 1, here.off);
-    Ring& ring = rings[static_cast<std::size_t>(fits - displaced.begin())];
-    ring.obstacles.points.push_back(here.place);
-    ring.obstacles.widening = std::max(ring.obstacles.widening, here.off);
-    ++ring.returns;
+    const auto add_to = [&, i = static_cast<std::size_t>(fits - displaced.begin())](std::vector<Ring>& some) {
+      some[i].obstacles.points.push_back(here.place);
+      some[i].obstacles.widening = std::max(some[i].obstacles.widening, here.off);
+      ++some[i].returns;
+    };
+    add_to(rings.all);
+    if (asks && asks(here.place, place.stands)) add_to(rings.asked_for);
   });
   return rings;
 }

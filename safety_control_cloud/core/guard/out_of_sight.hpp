@@ -60,6 +60,10 @@ class OutOfSight {
   /// Whether somebody asks for a place in base_frame, a part of what stood or hung there between these heights.
   using AsksFor = std::function<bool(const Point2& place, const Heights& heights)>;
 
+  struct Rings {
+    std::vector<Ring> all, asked_for;
+  };
+
   /// Whether anything would be kept.
   bool remembers() const { return limits_.vicinity.distance > 0.0 && limits_.time > 0.0; }
 
@@ -72,10 +76,9 @@ class OutOfSight {
 
   /// What is kept and not shown by the latest look of its sensor, around the robot, out to `reach` [m]; by how much it
   /// may have been displaced meanwhile. `shows`: of each sensor, whether its latest look is believed still.
-  /// `of`: what this sensor saw; none: all of them. `asks`: of that, those that it asks for; none:
-  /// all of them.
-  std::vector<Ring> rings(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows,
-                          std::optional<std::size_t> of = std::nullopt, const AsksFor& asks = nullptr) const;
+  /// `of`: what this sensor saw; none: all of them.
+  Rings rings(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows,
+              std::optional<std::size_t> of = std::nullopt, const AsksFor& asks = nullptr) const;
 
  private:
   struct Place {
