@@ -36,6 +36,12 @@ def test_a_script_is_installed_unless_it_is_a_tool_of_a_clone():
     assert installed == {path.name for path in (ROOT / "scripts").iterdir() if path.is_file()} - TOOLS_OF_A_CLONE
 
 
+def test_every_fault_meets_the_node_that_may_be_built_with_a_sanitizer():
+    """Which support/robot.py chooses."""
+    files = [path for folder in ("faults", "support") for path in (ROOT / "tests" / folder).glob("*.py")]
+    assert [path.name for path in files if 'node("safety_control_node"' in path.read_text()] == ["robot.py"]
+
+
 def test_every_source_names_its_licence():
     sources = [ROOT / path for path in tracked_files() if Path(path).suffix in (".py", ".hpp", ".cpp") or path.startswith("scripts/")]
     without = [path for path in sources if path.exists() and "SPDX-License-Identifier: BSD-3-Clause" not in path.read_text()[:200]]

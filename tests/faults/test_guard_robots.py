@@ -12,14 +12,13 @@ from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
 from guarded import CAMERA_TO_FRONT, ZERO, Base, bits, guarded_robot, twist
 from laser import scan_of, with_post
 from repeated import Repeated
-from robot import START
+from robot import START, node_under_test
 from scenes import FRAME, HEIGHT, WIDTH, always, cloud_of, hall, wall
 from std_msgs.msg import Header
 from tf2_msgs.msg import TFMessage
 from three_sensors import robot_with_sensors
 
 from safety_control_cloud.processes import process
-from safety_control_cloud.ros_session import node
 from safety_control_cloud.srv import Override
 
 NOWHERE = np.full((HEIGHT, WIDTH, 3), np.nan, np.float32)
@@ -89,7 +88,7 @@ def test_what_a_robot_turned_away_from_outlives_the_node(master):
         robot.process.send(signal.SIGKILL)
         robot.process.wait(5.0)
         before = len(robot.commands.all())
-        with node("safety_control_node") as robot.process:
+        with node_under_test() as robot.process:
             robot.gives(remembers_the_wall, within=START)
             speeds = [command.linear.x for command in robot.commands.all()[before:]]
             assert min(speeds) > -0.45, "at no time as if nothing were there"
@@ -145,7 +144,7 @@ def test_two_robots_on_one_master_are_guarded_apart(master):
 
 
 def test_a_list_of_corners_is_a_footprint_and_an_unfit_one_refused(master):
-    with node("safety_control_node", "_mode:=guard", "_footprint:=[[0.1, 0.1], [0.2, 0.2]]") as running:
+    with node_under_test("_mode:=guard", "_footprint:=[[0.1, 0.1], [0.2, 0.2]]") as running:
         assert running.wait(START) == 1
         assert "at least 3 corners" in running.output()
     rospy.delete_param("/safety_control_cloud")

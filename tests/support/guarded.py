@@ -14,14 +14,13 @@ from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Twist, Tw
 from listening import Heard
 from nav_msgs.msg import Odometry
 from repeated import Repeated
-from robot import GRACE, after, flat
+from robot import GRACE, after, flat, node_under_test
 from scenes import FRAME, View, hall, wall
 from std_msgs.msg import Header
 from tf2_msgs.msg import TFMessage
 
 from safety_control_cloud.msg import Blocked, SafetyState
 from safety_control_cloud.processes import Process
-from safety_control_cloud.ros_session import node
 
 CAMERA_TO_FRONT = 0.265  # [m] by which a TurtleBot's round hull sticks out before its camera
 SETTLED = 3.0  # [s]
@@ -64,7 +63,8 @@ class Guarded:
     def gives(self, fits: Callable[[SafetyState], bool], within: float = SETTLED, lasts: float = 0.3) -> SafetyState:
         """The robot comes to an answer that fits, and stays with such for a while, on ~state and on cmd_vel.
 
-        A machine that is busy for a moment may make it stand meanwhile: then it comes to that answer again.
+        A machine that is busy for a moment may make it stand meanwhile, or keep it silent: then it comes to that answer
+        again.
         """
         end = time.monotonic() + within + GRACE
         while True:
@@ -76,11 +76,11 @@ class Guarded:
             assert self.process.exit_code is None, self.process.output()
             later = [state for _, state in after(since, self.states)]
             others = [state for state in later if not fits(state)]
-            if later and not others:
+            if said and later and not others:
                 break
-            assert later and all(bits(state.given) == ZERO for state in others), others[:1]
+            assert all(bits(state.given) == ZERO for state in others), others[:1]
         # Where the node is late, another of its threads says zero.
-        assert said and said - {ZERO} <= {bits(state.given) for state in later}, "cmd_vel says what ~state says"
+        assert said - {ZERO} <= {bits(state.given) for state in later}, "cmd_vel says what ~state says"
         return state
 
     def stands(self, cause: str, within: float = SETTLED) -> SafetyState:
@@ -165,7 +165,7 @@ def guarded_robot(
     """
     given = [f"_{name}:={value}" for name, value in {"mode": "guard", "memory_distance": 0.0, **parameters}.items()]
     ours = [f"__ns:={namespace}"] if namespace else []
-    with started or node("safety_control_node", *given, *ours, *remappings) as process:
+    with started or node_under_test(*given, *ours, *remappings) as process:
         stamped = parameters.get("command_type") == "twist_stamped"
         robot = Guarded(process, namespace=namespace, stamped=stamped, others=others, camera=camera)
         try:
