@@ -129,8 +129,6 @@ void FloorStrip::expect(const Patience& patience) {
   }
 }
 
-bool FloorStrip::is_expected(std::size_t column) const { return expected_[column] >= certain; }
-
 bool FloorStrip::is_seen_again(std::size_t column, bool among_strays) const {
   const auto again = [this](std::size_t i) {
     const auto [shown, hidden] = this->column(i);

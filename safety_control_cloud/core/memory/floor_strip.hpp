@@ -33,9 +33,6 @@ class FloorStrip {
   const std::vector<std::size_t>& rows() const { return rows_; }  ///< of the picture, in which it lies
   Column column(std::size_t i) const { return {shown_[i], i < first_ || i >= last_ ? foot_[i] : foot_[i] + blank_[i]}; }
 
-  /// Whether it has been seen in a column for certain, and so is hidden where nothing returns.
-  bool is_expected(std::size_t column) const;
-
   /// Whether the floor is seen again in a column, and is blank nowhere right beside it and farther out: what stood in
   /// it may have come nearer, and what comes nearer grows and moves away from the middle of the picture.
   /// `among_strays`: blank is also what mostly was it lately.

@@ -39,7 +39,6 @@ class NearGround {
   const Code* row(std::size_t i) const { return codes_.data() + i * columns_; }
   /// Whether any of a row's columns may show near ground.
   bool shows_ground(std::size_t i) const { return shows_[i]; }
-  std::size_t row_step() const { return row_step_; }  ///< of the picture, from one that is read to the next
   std::size_t picture_row(std::size_t i) const { return height_ - 1 - i * row_step_; }
   std::size_t picture_column(std::size_t i) const { return i * column_step_; }
   std::size_t column_at(std::size_t picture_column) const {

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "../look/look.hpp"
-#include "hidden_edges.hpp"
 #include "kept.hpp"
 #include "near_things.hpp"
 
@@ -24,9 +23,6 @@ constexpr double step = 0.1;
 /// By so much farther than it is blind a sensor shows what is cut off [m]: noise, and what a robot that slows drives
 /// between two clouds.
 constexpr double cut_off = 0.05;
-
-/// Where a leg's surface becomes too near to return, its edge, two columns wide, lies so much farther at most [m].
-constexpr double edge_depth = 0.015;
 
 /// So much farther than what counts, things are watched.
 constexpr double watched = 1.6;
@@ -198,8 +194,6 @@ void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, 
   auto things = near_things(search);
   ground_.place(things, search.picture, search.outlook);
   floor_.survey(ground_, patience);
-  if (clouds_of_floor == 1)
-    note_edges(things, {search.picture, ground_, floor_}, static_cast<float>(blind_range() + edge_depth));
   const auto is_seen_again = [&](std::size_t column) {
     const std::size_t i = ground_.column_at(column);
     return !ground_.is_near(i) && floor_.is_seen_again(i, clouds_of_floor > 1);

@@ -47,7 +47,6 @@ struct Thing {
   float nearest = 0.0f;    ///< [m] ahead of the camera
   bool stands = false;     ///< on the near floor, in most of its columns
   bool hangs = false;      ///< in most of its columns something farther away is seen below it
-  bool is_edge = false;    ///< may be that of what hides the floor right beside it
   bool is_slight = false;  ///< few pixels of many that a picture has: they may be false
   bool at_border = false;  ///< of the picture or of the corridor: part of it may be out of sight
 };

@@ -2,7 +2,6 @@
 #include "things_memory.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -20,7 +19,6 @@ constexpr unsigned clouds_to_go = 3;
 /// Nearly all of a thing, and a small part of one.
 constexpr double nearly = 0.85, few = 0.25;
 constexpr std::size_t most_lost = 240;  ///< spots of one thing
-constexpr float same_height = 0.05f;    // [m]
 /// Of the picture, at least 1/share is a fair extent.
 constexpr double fair_share = 500;
 
@@ -147,36 +145,9 @@ void ThingsMemory::unlearn_blind_range() {
   for (Remembered& thing : things_) thing.vanished = false;
 }
 
-/// Whether what may be the edge of something hidden is that of a thing that stood here: all of it lies close to what
-/// was seen of that, and nothing else was seen here.
-bool ThingsMemory::is_of_what_stands(const Thing& now) const {
-  if (!now.is_edge) return false;
-  std::vector<char> stood(now.spots.size(), false);
-  bool hung = false;
-  const auto note = [&](const std::vector<Spot>& spots) {
-    for (const Spot& spot : spots) {
-      for (std::size_t i = 0; i < stood.size(); ++i) {
-        const Point &a = spot.point, &b = now.spots[i].point;
-        if ((a.getVector3fMap() - b.getVector3fMap()).squaredNorm() > farthest_step * farthest_step) continue;
-        hung = hung || !spot.stands;
-        stood[i] = stood[i] || std::abs(a.y - b.y) < same_height;
-      }
-    }
-  };
-  for (const Remembered& thing : things_) {
-    note(thing.seen.spots);
-    note(thing.lost);
-  }
-  return !hung && std::all_of(stood.begin(), stood.end(), [](char one) { return one != 0; });
-}
-
 /// Which of the things that were seen are those that are seen now: the ones that have most in common. Of each thing
 /// what was seen before, unless it has moved as a whole.
 std::vector<Thing> ThingsMemory::follow(std::vector<Thing> seen) {
-  for (Thing& now : seen) {
-    if (!is_of_what_stands(now)) continue;
-    for (Spot& spot : now.spots) spot.stands = true;
-  }
   std::vector<Thing> before;
   for (Remembered& thing : things_) {
     before.push_back(std::exchange(thing.seen, Thing{}));

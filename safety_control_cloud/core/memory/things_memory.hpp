@@ -46,8 +46,6 @@ double size_of(const std::vector<Spot>& spots);  ///< [m2]
 ///   is seen nearer.
 /// - While the camera looks another way than when a spot was seen, or turns, its picture says nothing of it.
 /// - What stands on the floor, in a column of the picture, has gone when the near floor is seen again in that column.
-/// So
-///   has what may be the edge of something hidden, if that was seen to stand there and nothing to hang.
 class ThingsMemory {
  public:
   struct NearFloor {
@@ -82,7 +80,6 @@ class ThingsMemory {
 
  private:
   std::vector<Thing> follow(std::vector<Thing> seen);
-  bool is_of_what_stands(const Thing& now) const;
   static void lose(Remembered& thing, Thing before);
   void ask(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Axis& axis);
   void note_vanished(Remembered& thing, const Pixels& picture, float near);
