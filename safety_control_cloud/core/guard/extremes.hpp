@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 #include "pose.hpp"
 #include "whereabouts.hpp"

@@ -148,58 +148,60 @@ double Given::slowing_along(const Twist2& wanted, double now, double time,
   return std::max(0.0, std::min(1.0, share_of(slow)) - time / std::max(to_stop, to_face));
 }
 
-Pose2 Given::slow_pose_at(double moment) const {
-  if (told_.empty()) return {};
-  const auto after = first_after(moment);
-  if (after == told_.begin()) return told_.front().slow_at;
-  const Told& last = *std::prev(after);
-  const double time = moment - last.since, steps = steps_in(time);
-  Pose2 pose = last.slow_at;
-  for (double i = 0.0; i < steps; ++i)
-    pose = beyond(pose, way_of(slowly_at(last.since + i * time / steps), time / steps));
-  return pose;
-}
-
-/// What the base may obey: all that it was told no longer than the delay ago, and to stand, if that was long ago.
-TwistRange Given::aims_at(double moment) const {
-  auto told = first_after(moment);
-  if (told == told_.begin()) return {};
-  TwistRange aims{std::prev(told)->twist, std::prev(told)->twist};
-  if (moment - std::prev(told)->since > timeout) aims = spanning(aims, {});
-  while (--told != told_.begin() && told->since > moment - following_.delay)
-    aims = spanning(aims, std::prev(told)->twist);
-  return told == told_.begin() && told->since > moment - following_.delay ? spanning(aims, {}) : aims;
-}
-
-Extremes Given::extremes_at(double moment) const {
-  if (told_.empty()) return {};
-  const auto after = first_after(moment);
-  if (after == told_.begin()) return told_.front().extremes;
-  const Told& last = *std::prev(after);
-  const double time = moment - last.since, steps = steps_in(time);
-  Extremes extremes = last.extremes;
-  for (double i = 0.0; i < steps; ++i)
-    extremes.go_on(aims_at(last.since + (i + 0.5) * time / steps), time / steps, following_);
-  return extremes;
-}
-
-/// From where it was when it was told last.
-template <class Way>
-Pose2 Given::gone_on(double moment, Pose2 Told::*then, Way way) const {
+/// From what was so when it was told last.
+template <class Then, class Go>
+Then Given::gone_on(double moment, Then Told::*then, Go go) const {
   if (told_.empty()) return {};
   const auto after = first_after(moment);
   if (after == told_.begin()) return told_.front().*then;
   const Told& last = *std::prev(after);
-  return beyond(last.*then, way(last, moment - last.since));
+  return go(last.*then, last, moment - last.since);
+}
+
+Pose2 Given::slow_pose_at(double moment) const {
+  return gone_on(moment, &Told::slow_at, [this](Pose2 pose, const Told& last, double time) {
+    const double steps = steps_in(time);
+    for (double i = 0.0; i < steps; ++i)
+      pose = beyond(pose, way_of(slowly_at(last.since + i * time / steps), time / steps));
+    return pose;
+  });
+}
+
+/// What the base may obey: all that it was told no longer than the delay ago, and to stand, if that was long ago.
+TwistRange Given::aims_at(double moment) const {
+  const auto after = first_after(moment);
+  if (after == told_.begin()) return {};
+  auto told = std::prev(after);
+  TwistRange aims{told->twist, told->twist};
+  if (moment - told->since > timeout) aims = spanning(aims, {});
+  for (; told->since > moment - following_.delay; --told) {
+    if (told == told_.begin()) return spanning(aims, {});
+    aims = spanning(aims, std::prev(told)->twist);
+  }
+  return aims;
+}
+
+Extremes Given::extremes_at(double moment) const {
+  return gone_on(moment, &Told::extremes, [this](Extremes extremes, const Told& last, double time) {
+    const double steps = steps_in(time);
+    for (double i = 0.0; i < steps; ++i)
+      extremes.go_on(aims_at(last.since + (i + 0.5) * time / steps), time / steps, following_);
+    return extremes;
+  });
 }
 
 Pose2 Given::at_once(double moment) const {
-  return gone_on(moment, &Told::at_once, [](const Told& last, double time) { return way_of(last.twist, time); });
+  const auto go = [](const Pose2& then, const Told& last, double time) {
+    return beyond(then, way_of(last.twist, time));
+  };
+  return gone_on(moment, &Told::at_once, go);
 }
 
 Pose2 Given::half(double moment) const {
-  return gone_on(moment, &Told::half,
-                 [](const Told& last, double time) { return way_of(limited(last.twist, 0.5), time); });
+  const auto go = [](const Pose2& then, const Told& last, double time) {
+    return beyond(then, way_of(limited(last.twist, 0.5), time));
+  };
+  return gone_on(moment, &Told::half, go);
 }
 
 Given::Reckoned Given::reckoned_at(double moment) const {

@@ -65,8 +65,8 @@ class Given {
   Pose2 slow_pose_at(double moment) const;
   TwistRange aims_at(double moment) const;
   Extremes extremes_at(double moment) const;
-  template <class Way>
-  Pose2 gone_on(double moment, Pose2 Told::*then, Way way) const;
+  template <class Then, class Go>
+  Then gone_on(double moment, Then Told::*then, Go go) const;
   Pose2 at_once(double moment) const;
   Pose2 half(double moment) const;
   /// What comes to the same, until it stops, as one twist that is kept for the delay.
