@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "../look/outlook.hpp"
 #include "pixels.hpp"
-#include "thing.hpp"
 
 namespace safety_control_cloud {
 
@@ -39,6 +37,8 @@ class NearGround {
   const Code* row(std::size_t i) const { return codes_.data() + i * columns_; }
   /// Whether any of a row's columns may show near ground.
   bool shows_ground(std::size_t i) const { return shows_[i]; }
+  std::size_t row_step() const { return row_step_; }  ///< of the picture, from one that is read to the next
+  float distance() const { return distance_; }        ///< [m] ahead of the camera; what is nearer is near
   std::size_t picture_row(std::size_t i) const { return height_ - 1 - i * row_step_; }
   std::size_t picture_column(std::size_t i) const { return i * column_step_; }
   std::size_t column_at(std::size_t picture_column) const {
@@ -47,31 +47,12 @@ class NearGround {
   double middle_column() const { return middle_column_; }  ///< that looks straight ahead
   /// Whether something near, in the corridor, is seen in a column, anywhere in the picture.
   bool is_near(std::size_t column) const { return near_[column]; }
-  /// Tells it of the things that are seen in the same picture, of which only those in the same `distance` count; of
-  /// each spot of theirs, whether what it shows stands on the near floor: the thing reaches down to it in this column
-  /// without a gap.
-  void place(std::vector<Thing>& things, const Pixels& picture, const Outlook& outlook);
+  void note_near(std::size_t column) { near_[column] = true; }
 
  private:
-  /// On the near floor; unseen where nothing returns below it, or what is seen there is no farther away: its foot may
-  /// stand beside the corridor.
-  enum class Stand { Hangs, Stands, Unseen };
-
   enum class Columns { All, Probes };
 
   bool read_row(const Pixels& picture, const Outlook& outlook, float distance, std::size_t number, Columns which);
-  Stand stand_of(const Foot& foot, const Pixels& picture, const Outlook& outlook) const;
-  // Of one column, in the rows that are read.
-  std::size_t lowest_of(const Foot& foot, std::size_t column, const Pixels& picture, const Outlook& outlook) const;
-  std::optional<std::size_t> surface_below(std::size_t lowest, std::size_t column, const Pixels& picture,
-                                           const Outlook& outlook) const;
-  std::optional<std::size_t> others_below(std::size_t lowest, const Foot& foot, std::size_t column,
-                                          const Pixels& picture, const Outlook& outlook) const;
-  Code code_in(std::size_t i, std::size_t column, const Pixels& picture, const Outlook& outlook) const;
-  bool is_of(const Foot& foot, std::size_t i, std::size_t column, const Pixels& picture, const Outlook& outlook) const;
-  float ahead_in(std::size_t i, std::size_t column, const Pixels& picture, const Outlook& outlook) const;  ///< [m]
-  std::size_t read_row_at(std::size_t picture_row) const { return (height_ - 1 - picture_row) / row_step_; }
-  std::size_t most_blank() const;  ///< rows that are read between a thing and the floor that it stands on
 
   // Of one row, as far as it is read.
   PixelRow read_;

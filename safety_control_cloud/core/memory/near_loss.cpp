@@ -9,6 +9,7 @@
 #include "../look/look.hpp"
 #include "kept.hpp"
 #include "near_things.hpp"
+#include "stand.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -130,7 +131,7 @@ bool NearLoss::note_points(const View& view, const Outlook& outlook) {
 bool NearLoss::note(const NearSearch& search) {
   auto things = near_things(search);
   if (things.empty()) return false;
-  ground_.place(things, search.picture, search.outlook);
+  place_on_ground(things, ground_, search.picture, search.outlook);
   things_.update_by_little(std::move(things), search.picture, axis_of(search.outlook));
   return true;
 }
@@ -192,7 +193,7 @@ std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight,
 
 void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, const Patience& patience) {
   auto things = near_things(search);
-  ground_.place(things, search.picture, search.outlook);
+  place_on_ground(things, ground_, search.picture, search.outlook);
   floor_.survey(ground_, patience);
   const auto is_seen_again = [&](std::size_t column) {
     const std::size_t i = ground_.column_at(column);

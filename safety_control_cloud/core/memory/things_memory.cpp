@@ -212,9 +212,11 @@ void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor
     if (!are_same(*spot.axis, axis, same_axis)) return false;
     if (evidence == Evidence::Past && between_rays) evidence = Evidence::Nothing;
     if (spot.lost_for < floor.after) ++spot.lost_for;
-    const bool may_stand = spot.stands && spot.column_shown && spot.lost_for >= floor.after;
-    const bool stood_here = may_stand && !floor_between && floor.is_seen_again(spot.column);
-    if (evidence == Evidence::Past && !stood_here && !thing.is_seen() && leaves_at_the_top(spot, picture)) {
+    const auto stood_here = [&] {
+      const bool may_stand = spot.stands && spot.column_shown && spot.lost_for >= floor.after;
+      return may_stand && !floor_between && floor.is_seen_again(spot.column);
+    };
+    if (evidence == Evidence::Past && !thing.is_seen() && leaves_at_the_top(spot, picture) && !stood_here()) {
       leaving += double{spot.share};
       return false;
     }
@@ -224,7 +226,7 @@ void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor
         evidence == Evidence::There || (evidence == Evidence::Hidden && thing.is_seen() &&
                                         picture.near(spot.row, spot.column).z > spot.point.z - farthest_step);
     if (again) return true;
-    if (spot.seen_past >= clouds_to_go || stood_here) {
+    if (spot.seen_past >= clouds_to_go || stood_here()) {
       thing.freed += double{spot.share};
       return true;
     }

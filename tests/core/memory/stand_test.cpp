@@ -72,7 +72,7 @@ class Picture {
   std::vector<Xyz> points_;
 };
 
-class HiddenEdges : public testing::TestWithParam<double> {
+class StandingBeside : public testing::TestWithParam<double> {
  protected:
   Decision sees(const std::vector<Block>& blocks, int clouds = 1) {
     Decision decision;
@@ -94,7 +94,7 @@ class HiddenEdges : public testing::TestWithParam<double> {
  private:
   float wall_ = inf;
 };
-INSTANTIATE_TEST_SUITE_P(Strays, HiddenEdges, testing::Values(0.0, 0.001, 0.01, 0.1));
+INSTANTIATE_TEST_SUITE_P(Strays, StandingBeside, testing::Values(0.0, 0.001, 0.01, 0.1));
 
 Block column(std::size_t at, std::size_t below, float z = 0.408f, std::size_t columns = 1) {
   return {at, at + columns, 0, below, z};
@@ -102,7 +102,7 @@ Block column(std::size_t at, std::size_t below, float z = 0.408f, std::size_t co
 Block too_near(std::size_t from, std::size_t to) { return {from, to, 0, height, nan}; }
 Block leg(std::size_t from, std::size_t to, float z) { return {from, to, 0, height, z}; }
 
-TEST_P(HiddenEdges, RobotDrivesOnWhenALegHasGoneWhoseFrontFrayedDownward) {
+TEST_P(StandingBeside, RobotDrivesOnWhenALegHasGoneWhoseFrontFrayedDownward) {
   for (const std::size_t top : {20u, 80u, 140u}) {
     begins();
     for (const float z : {0.6f, 0.5f, 0.42f}) sees({leg(150, 210, z)}, 2);
@@ -116,7 +116,7 @@ TEST_P(HiddenEdges, RobotDrivesOnWhenALegHasGoneWhoseFrontFrayedDownward) {
   }
 }
 
-TEST_P(HiddenEdges, RobotDrivesOnWhenALegHasGoneThatLeanedAndOfWhichACornerAtThePicturesTopWasLost) {
+TEST_P(StandingBeside, RobotDrivesOnWhenALegHasGoneThatLeanedAndOfWhichACornerAtThePicturesTopWasLost) {
   begins(4.5f);
   for (const float z : {0.6f, 0.5f, 0.42f}) sees({leg(60, 100, z)}, 2);
   sees({too_near(60, 100)}, 3);
@@ -124,7 +124,7 @@ TEST_P(HiddenEdges, RobotDrivesOnWhenALegHasGoneThatLeanedAndOfWhichACornerAtThe
   EXPECT_EQ(sees({}, 10).speed, 0.2);
 }
 
-TEST_P(HiddenEdges, SliverStaysBesideWhatIsHiddenIfNothingWasSeenToStandThere) {
+TEST_P(StandingBeside, SliverStaysBesideWhatIsHiddenIfNothingWasSeenToStandThere) {
   begins();
   sees({too_near(150, 203)}, 10);
   sees({too_near(150, 203), column(203, 112)}, 2);
@@ -132,7 +132,7 @@ TEST_P(HiddenEdges, SliverStaysBesideWhatIsHiddenIfNothingWasSeenToStandThere) {
   stands_for_good();
 }
 
-TEST_P(HiddenEdges, BoardOfFortyCentimetresStaysThatCameAboveALowThingNobodySaw) {
+TEST_P(StandingBeside, BoardOfFortyCentimetresStaysThatCameAboveALowThingNobodySaw) {
   for (const std::size_t top_of_it : {132u, 145u, 161u}) {
     const Block low = {60, 260, top_of_it, height, nan};
     begins();
@@ -147,7 +147,7 @@ TEST_P(HiddenEdges, BoardOfFortyCentimetresStaysThatCameAboveALowThingNobodySaw)
   }
 }
 
-TEST_P(HiddenEdges, BoardStaysThatIsSeenByItsFarEdgeAloneAboveALowThing) {
+TEST_P(StandingBeside, BoardStaysThatIsSeenByItsFarEdgeAloneAboveALowThing) {
   const Block low = {100, 204, 132, height, nan};
   begins();
   for (const float z : {0.6f, 0.5f, 0.42f}) sees({{100, 204, 132, height, z}}, 2);
@@ -157,7 +157,7 @@ TEST_P(HiddenEdges, BoardStaysThatIsSeenByItsFarEdgeAloneAboveALowThing) {
   stands_for_good();
 }
 
-TEST_P(HiddenEdges, BagStaysWhenTheLegHasGoneBesideWhichItHung) {
+TEST_P(StandingBeside, BagStaysWhenTheLegHasGoneBesideWhichItHung) {
   const Block hidden = too_near(150, 203);
   begins();
   for (const float z : {0.6f, 0.5f, 0.42f}) sees({leg(150, 203, z), column(203, 112, z, 30)}, 2);
@@ -166,7 +166,7 @@ TEST_P(HiddenEdges, BagStaysWhenTheLegHasGoneBesideWhichItHung) {
   stands_for_good({{203, 240, 0, 112, nan}});
 }
 
-TEST_P(HiddenEdges, CordThatWasSeenToHangStaysThoughALegStoodBesideItLast) {
+TEST_P(StandingBeside, CordThatWasSeenToHangStaysThoughALegStoodBesideItLast) {
   for (const int clouds_blank : {0, 1, 3}) {
     begins();
     for (const float z : {0.6f, 0.5f, 0.42f}) sees({leg(212, 258, z)}, 2);
@@ -178,7 +178,7 @@ TEST_P(HiddenEdges, CordThatWasSeenToHangStaysThoughALegStoodBesideItLast) {
   }
 }
 
-TEST_P(HiddenEdges, RailStaysWhenTheLegHasGoneBesideWhichItWasSeenLast) {
+TEST_P(StandingBeside, RailStaysWhenTheLegHasGoneBesideWhichItWasSeenLast) {
   const Block hidden = too_near(150, 203);
   begins();
   for (const float z : {0.6f, 0.5f, 0.42f}) sees({leg(150, 203, z)}, 2);
@@ -188,7 +188,7 @@ TEST_P(HiddenEdges, RailStaysWhenTheLegHasGoneBesideWhichItWasSeenLast) {
   stands_for_good();
 }
 
-TEST_P(HiddenEdges, PostOfTwoCentimetresStaysUntilItGoesWhenTheLegBesideItHasGone) {
+TEST_P(StandingBeside, PostOfTwoCentimetresStaysUntilItGoesWhenTheLegBesideItHasGone) {
   const Block hidden = too_near(150, 203), post = too_near(203, 217);
   begins();
   for (const float z : {0.6f, 0.5f, 0.42f}) sees({leg(150, 203, z)}, 2);

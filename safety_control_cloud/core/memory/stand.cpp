@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stand.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "evidence.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+/// As much of the picture's height may return nothing between a thing and the floor that it stands on: 1/share.
+constexpr std::size_t blank_share = 24;
+/// Strays return one by one, at any range; as many rows that are read in which one goes on show something.
+constexpr std::size_t no_strays = 3;
+constexpr float agreement = 0.15f;  ///< share by which the floor's range changes from one of them to the next
+
+/// The edge of what stands upright leans in the picture, as the robot pitches, by at most this share of its width: what
+/// a column shows near the edge reaches the floor in another one.
+constexpr std::size_t edge_share = 128;
+
+using Code = NearGround::Code;
+
+/// On the near floor; unseen where nothing returns below it, or what is seen there is no farther away: its foot may
+/// stand beside the corridor.
+enum class Stand { Hangs, Stands, Unseen };
+
+/// What a picture shows in the column in which a thing has its foot, in the rows that are read, from the lowest up.
+class ColumnBelow {
+ public:
+  ColumnBelow(const Foot& foot, const NearGround& ground, const Pixels& picture, const Outlook& outlook)
+      : foot_(foot),
+        ground_(ground),
+        picture_(picture),
+        outlook_(outlook),
+        column_(ground.column_at(foot.column)),
+        most_blank_(std::max<std::size_t>(1, picture.height() / ground.row_step() / blank_share)) {}
+
+  Stand stand() const {
+    std::size_t lowest = (picture_.height() - 1 - foot_.row) / ground_.row_step();
+    auto other = surface_below(lowest);
+    if (!other || is_near(*other)) {
+      lowest = lowest_from(lowest);
+      if (other && *other >= lowest) other.reset();
+    }
+    if (!other) other = others_below(lowest);
+    // What reaches the floor below its foot is another thing.
+    if (other) return is_near(*other) || is_farther(*other) ? Stand::Hangs : Stand::Unseen;
+    return stand_on_ground(lowest);
+  }
+
+ private:
+  Point at(std::size_t i) const { return picture_.at(ground_.picture_row(i), ground_.picture_column(column_)); }
+  float ahead_of(const Point& place) const { return place.z - outlook_.camera().z; }
+  float ahead_in(std::size_t i) const { return ahead_of(placed(at(i), outlook_)); }  ///< [m]
+
+  /// Above the ground, only some of the columns have been read.
+  Code code_in(std::size_t i) const {
+    if (ground_.shows_ground(i)) return ground_.row(i)[column_];
+    const Point place = placed(at(i), outlook_);
+    if (!returned(place)) return NearGround::nothing;
+    const bool is_near = outlook_.corridor.holds(place) && ahead_of(place) < ground_.distance();
+    return is_near ? NearGround::near : NearGround::elsewhere;
+  }
+  bool is_near(std::size_t i) const { return code_in(i) == NearGround::near; }
+
+  /// Whether what is seen there may be the thing that has this foot.
+  bool is_of_thing(std::size_t i) const { return std::abs(ahead_in(i) - foot_.ahead) <= noise_at(foot_.ahead); }
+  bool is_farther(std::size_t i) const { return !(ahead_in(i) <= foot_.ahead + noise_at(foot_.ahead)); }
+
+  /// The lowest row in which the thing is seen, from that of its foot down. Its border, if it is about to be too near,
+  /// returns here and there alone.
+  std::size_t lowest_from(std::size_t lowest) const {
+    std::size_t others = 0;
+    for (std::size_t i = lowest; i-- > 0 && lowest - i <= most_blank_ + 1 && others < no_strays;) {
+      const bool same = is_of_thing(i);
+      others = same || !returned(at(i)) ? 0 : others + 1;
+      if (same) lowest = i;
+    }
+    return lowest;
+  }
+
+  /// The first row below `lowest` in which it shows a surface, and no ground: rows that follow one another agree,
+  /// unlike strays.
+  std::optional<std::size_t> surface_below(std::size_t lowest) const {
+    std::size_t adjacent = 0;
+    for (std::size_t i = 0; i < std::min(lowest, ground_.rows()); ++i) {
+      const Code code = ground_.row(i)[column_];
+      adjacent = code == NearGround::elsewhere || code == NearGround::near ? adjacent + 1 : 0;
+      if (adjacent < no_strays) continue;
+      const float ahead = ahead_in(i), before = ahead_in(i - 1);
+      if (std::abs(ahead - before) <= agreement * std::min(ahead, before)) return i;
+    }
+    return std::nullopt;
+  }
+
+  /// Where nothing goes on, but much of what is below `lowest` returns something else than the ground, such a row.
+  std::optional<std::size_t> others_below(std::size_t lowest) const {
+    std::size_t blank = 0, others = 0;
+    std::optional<std::size_t> other;
+    for (std::size_t i = 0; i < std::min(lowest, ground_.rows()); ++i) {
+      const Code code = code_in(i);
+      blank += code == NearGround::nothing;
+      const bool is_other = code == NearGround::elsewhere || (code == NearGround::near && !is_of_thing(i));
+      others += is_other;
+      if (is_other) other = i;
+    }
+    return 2 * others > blank ? other : std::nullopt;
+  }
+
+  /// Of a thing below which nothing else is seen.
+  Stand stand_on_ground(std::size_t lowest) const {
+    std::size_t blank = 0;
+    bool gap = false;
+    std::optional<std::size_t> farthest;  // ground
+    for (std::size_t i = 0; i < std::min(lowest, ground_.rows()); ++i) {
+      const Code code = code_in(i);
+      if (code >= 0) farthest = i;
+      blank = code >= 0 || code == NearGround::near ? 0 : blank + 1;
+      gap = gap || blank > most_blank_;
+    }
+    if (!gap && lowest < ground_.rows()) return Stand::Stands;
+    return gap && !(farthest && is_farther(*farthest)) ? Stand::Unseen : Stand::Hangs;
+  }
+
+  const Foot& foot_;
+  const NearGround& ground_;
+  const Pixels& picture_;
+  const Outlook& outlook_;
+  const std::size_t column_, most_blank_;
+};
+
+/// How a thing with its foot here stands on the floor. One that ends with the picture does, though it be so thin that
+/// the column which is read shows the floor beside it.
+Stand stand_of(const Foot& foot, const NearGround& ground, const Pixels& picture, const Outlook& outlook) {
+  const std::size_t height = picture.height();
+  if (foot.row + 2 * ground.row_step() + height / blank_share >= height) return Stand::Stands;
+  return ColumnBelow(foot, ground, picture, outlook).stand();
+}
+
+}  // namespace
+
+void place_on_ground(std::vector<Thing>& things, NearGround& ground, const Pixels& picture, const Outlook& outlook) {
+  const std::size_t columns = ground.columns(), edge = std::max<std::size_t>(1, columns / edge_share);
+  for (Thing& thing : things) {
+    std::vector<char> stands(columns, false), unseen(columns, false);
+    std::size_t standing = 0, hanging = 0;
+    for (const Foot& foot : thing.feet) {
+      const std::size_t column = ground.column_at(foot.column);
+      if (foot.ahead < ground.distance()) ground.note_near(column);
+      const Stand stand = stand_of(foot, ground, picture, outlook);
+      standing += stand == Stand::Stands;
+      hanging += stand == Stand::Hangs;
+      for (std::size_t i = column - std::min(edge, column); i <= std::min(column + edge, columns - 1); ++i) {
+        stands[i] = stands[i] || stand == Stand::Stands;
+        unseen[i] = unseen[i] || stand == Stand::Unseen;
+      }
+    }
+    thing.stands = 2 * standing >= thing.feet.size();
+    thing.hangs = 2 * hanging > thing.feet.size();
+    for (Spot& spot : thing.spots) {
+      const std::size_t column = ground.column_at(spot.column);
+      spot.stands = stands[column];
+      spot.foot_unseen = unseen[column];
+    }
+  }
+}
+
+}  // namespace safety_control_cloud
