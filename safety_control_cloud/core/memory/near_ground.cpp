@@ -24,6 +24,9 @@ bool NearGround::read_row(const Pixels& picture, const Outlook& outlook, float d
   Code* const codes = row(number);
   if (which == Columns::All) {
     std::copy(read, read + size, codes);
+    const float from = outlook.camera().z;
+    std::transform(read_.z.begin(), read_.z.end(), ahead_.begin() + static_cast<std::ptrdiff_t>(number * columns_),
+                   [from](float z) { return z - from; });
   } else {
     for (std::size_t i = 0; i < columns_; ++i) codes[i] = read[i / probe];
   }
@@ -41,6 +44,7 @@ void NearGround::look_at(const Pixels& picture, const Outlook& outlook, float di
   near_.assign(columns_, false);
   const std::size_t all = (height_ + row_step_ - 1) / row_step_;
   codes_.resize(all * columns_);
+  ahead_.resize(all * columns_);
   shows_.assign(all, false);
   bool begun = false;
   std::size_t gap = 0;

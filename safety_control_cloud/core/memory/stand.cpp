@@ -53,9 +53,11 @@ class ColumnBelow {
  private:
   Point at(std::size_t i) const { return picture_.at(ground_.picture_row(i), ground_.picture_column(column_)); }
   float ahead_of(const Point& place) const { return place.z - outlook_.camera().z; }
-  float ahead_in(std::size_t i) const { return ahead_of(placed(at(i), outlook_)); }  ///< [m]
+  /// [m] Above the ground, only some of the columns have been read.
+  float ahead_in(std::size_t i) const {
+    return ground_.shows_ground(i) ? ground_.ahead(i)[column_] : ahead_of(placed(at(i), outlook_));
+  }
 
-  /// Above the ground, only some of the columns have been read.
   Code code_in(std::size_t i) const {
     if (ground_.shows_ground(i)) return ground_.row(i)[column_];
     const Point place = placed(at(i), outlook_);
@@ -75,7 +77,7 @@ class ColumnBelow {
     std::size_t others = 0;
     for (std::size_t i = lowest; i-- > 0 && lowest - i <= most_blank_ + 1 && others < no_strays;) {
       const bool same = is_of_thing(i);
-      others = same || !returned(at(i)) ? 0 : others + 1;
+      others = same || std::isnan(ahead_in(i)) ? 0 : others + 1;
       if (same) lowest = i;
     }
     return lowest;
