@@ -131,8 +131,8 @@ Pose2 GuardMemory::way_during(const Look& look, const Went& went, const Instant&
   return first && last ? between(first->pose, last->pose) : Pose2{};
 }
 
-/// By odometry once it goes on, with what was remembered until then; if it falls silent, by what the base is told, but
-/// not what it was to place.
+/// By odometry once it goes on, with what was remembered until then, placed by it too as far back as it goes; if it
+/// falls silent, by what the base is told, but not what it was to place.
 void GuardMemory::choose_whereabouts(double stamp, const Went& went, const Instant& now) {
   const Odometry& odometry = went.odometry;
   const bool goes_on = odometry.is_fresh(now.ros) && odometry.goes_on_for() >= begins_after;
@@ -143,7 +143,8 @@ void GuardMemory::choose_whereabouts(double stamp, const Went& went, const Insta
   told_since_.reset();
   latest_.reset();
   if (const auto there = by_odometry_at(now.ros, went); holds_any && there) {
-    out_of_sight_.go_on_in_frame(went.given.whereabouts_at(now.steady), *there, now.steady);
+    const auto was_at = [&](double look) { return by_odometry_at(look, went); };
+    out_of_sight_.go_on_in_frame(went.given.whereabouts_at(now.steady), *there, now.steady, was_at);
   } else {
     out_of_sight_.forget();
   }

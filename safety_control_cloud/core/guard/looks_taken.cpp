@@ -23,26 +23,25 @@ std::vector<Pose2> ways_between(const Whereabouts& then, const Whereabouts& now)
 
 }  // namespace
 
-void LooksTaken::take_placed(std::size_t sensor, const Whereabouts& robot, double now) {
+void LooksTaken::take_placed(std::size_t sensor, const Whereabouts& robot, double now, std::optional<double> stamp) {
   drift_ = drift_until(robot);
   robot_ = robot;
-  add(sensor, robot, now);
+  add(sensor, robot, now, stamp);
 }
 
 Drift LooksTaken::drift_until(const Whereabouts& robot) const {
   if (!robot_) return drift_;
-  const Pose2 way = between(robot_->pose, robot.pose);
-  const Drift &before = robot_->unexplained, &now = robot.unexplained;
-  return {drift_.place + robot.drift * length_of(way.place) + std::max(0.0, now.place - before.place),
-          drift_.heading + robot.drift * std::abs(way.heading) + std::max(0.0, now.heading - before.heading)};
+  const Drift since = drift_between(*robot_, robot);
+  return {drift_.place + since.place, drift_.heading + since.heading};
 }
 
-void LooksTaken::add(std::size_t sensor, const Whereabouts& robot, double now) {
+void LooksTaken::add(std::size_t sensor, const Whereabouts& robot, double now, std::optional<double> stamp) {
   latest_of_[sensor] = ++latest_;
-  taken_.push_back({sensor, now, robot, drift_});
+  taken_.push_back({sensor, now, robot, drift_, stamp});
 }
 
-/// What the way until now may be off by is for those to keep who know a place.
+/// What the way until now may be off by is for those to keep who know a place. Where the robot was at each look is not
+/// known any more.
 void LooksTaken::go_on_in_frame(const Whereabouts& there) {
   robot_ = there;
   for (Taken& look : taken_) look = {look.sensor, look.at, {there.pose, there.or_else}, drift_};
@@ -82,7 +81,7 @@ double WaySince::beside(std::uint64_t look, double range) {
 
 double WaySince::off(std::uint64_t look, double range) {
   const Drift& then = looks_.find(look)->drift;
-  return drift_.place - then.place + (drift_.heading - then.heading) * range + beside(look, range);
+  return Drift{drift_.place - then.place, drift_.heading - then.heading}.at(range) + beside(look, range);
 }
 
 }  // namespace safety_control_cloud

@@ -18,16 +18,17 @@ class LooksTaken {
  public:
   struct Taken {
     std::size_t sensor;
-    double at;          ///< [s] steady
-    Whereabouts robot;  ///< in a frame that rests
-    Drift drift;        ///< of all the way until then
+    double at;                         ///< [s] steady
+    Whereabouts robot;                 ///< in a frame that rests
+    Drift drift;                       ///< of all the way until then
+    std::optional<double> stamp = {};  ///< [s] ROS, at which the robot was just there; none: it is there by now
   };
 
   /// A sensor looks, and nobody knows from where.
-  void take(std::size_t sensor, double now) { add(sensor, Whereabouts{}, now); }
+  void take(std::size_t sensor, double now) { add(sensor, Whereabouts{}, now, {}); }
 
-  /// It looks, the robot being there.
-  void take_placed(std::size_t sensor, const Whereabouts& robot, double now);
+  /// It looks, the robot being there. `stamp` [s] ROS; none: it is no look of this process.
+  void take_placed(std::size_t sensor, const Whereabouts& robot, double now, std::optional<double> stamp = {});
 
   /// From now on another frame rests, in which the robot is `there`.
   void go_on_in_frame(const Whereabouts& there);
@@ -51,7 +52,7 @@ class LooksTaken {
   bool is_latest_of_its_sensor(std::uint64_t look) const;
 
  private:
-  void add(std::size_t sensor, const Whereabouts& robot, double now);
+  void add(std::size_t sensor, const Whereabouts& robot, double now, std::optional<double> stamp);
 
   std::deque<Taken> taken_;  ///< the latest of them
   std::uint64_t latest_ = 0;

@@ -31,7 +31,7 @@ std::uint64_t key_of(const Point2& place, double height) { return key_of_cell(pl
 
 void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now,
                       const Pose2& meanwhile) {
-  looks_.take_placed(sensor, robot, now);
+  looks_.take_placed(sensor, robot, now, look.stamp);
   drop_what_is_over(now);
   if (!remembers()) return places_.clear();
   const SeenAt seen_at(look, limits_.vicinity);
@@ -188,14 +188,22 @@ void OutOfSight::for_each(const Whereabouts& robot, double now, Visit visit) con
 }
 
 /// What each may be off by until now stays with it.
-void OutOfSight::go_on_in_frame(const Whereabouts& robot, const Whereabouts& there, double now) {
+void OutOfSight::go_on_in_frame(const Whereabouts& robot, const Whereabouts& there, double now, const RobotAt& was_at) {
   decltype(places_) places;
-  const Turn turn(there.pose.heading);
   for_each(robot, now, [&](const Place& place, const Here& here) {
+    Whereabouts from = there;
+    Point2 seen = here.place;
+    double off = here.off - own_size;
+    const auto then = was_at && here.look.stamp ? was_at(*here.look.stamp) : std::nullopt;
+    if (then) {
+      from = *then;
+      seen = SeenAfter(here.look.robot.pose)({place.x, place.y});
+      off = place.off + drift_between(*then, there).at(here.range);
+    }
+    const Point2 at = from.pose.place + Turn(from.pose.heading)(seen);
     Place moved = place;
-    const Point2 at = there.pose.place + turn(here.place);
     moved.x = at.x, moved.y = at.y;
-    moved.off = here.off - own_size;
+    moved.off = off;
     places.emplace(key_of(at, place.z), moved);
   });
   places_ = std::move(places);

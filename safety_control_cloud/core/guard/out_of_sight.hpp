@@ -48,8 +48,12 @@ class OutOfSight {
 
   void forget() { *this = OutOfSight(limits_); }
 
-  /// From now on another frame rests, in which the robot is `there`.
-  void go_on_in_frame(const Whereabouts& robot, const Whereabouts& there, double now);
+  /// Where the robot was at a stamp [s, ROS]; none: it is not known.
+  using RobotAt = std::function<std::optional<Whereabouts>(double stamp)>;
+
+  /// From now on another frame rests, in which the robot is `there`. What a look showed of which `was_at` tells where
+  /// the robot was in that frame is placed by it; all else as it lies around the robot.
+  void go_on_in_frame(const Whereabouts& robot, const Whereabouts& there, double now, const RobotAt& was_at = nullptr);
 
   /// What is kept, around the robot.
   std::vector<KeptPlace> placed(const Whereabouts& robot, double now) const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "pose.hpp"
@@ -10,6 +12,8 @@ namespace safety_control_cloud {
 /// By how much a way may be off.
 struct Drift {
   double place = 0.0, heading = 0.0;  ///< [m], [rad]
+
+  double at(double range) const { return place + heading * range; }  ///< [m] so far away
 };
 
 /// Where the robot is, in a frame that rests.
@@ -19,5 +23,12 @@ struct Whereabouts {
   double drift = 0.0;               ///< [m/m], [rad/rad] by which the way there may be off
   Drift unexplained = {};           ///< of the way there, since some moment: what no motion explains
 };
+
+/// Of the way from one to the other.
+inline Drift drift_between(const Whereabouts& a, const Whereabouts& b) {
+  const Pose2 way = between(a.pose, b.pose);
+  return {b.drift * length_of(way.place) + std::max(0.0, b.unexplained.place - a.unexplained.place),
+          b.drift * std::abs(way.heading) + std::max(0.0, b.unexplained.heading - a.unexplained.heading)};
+}
 
 }  // namespace safety_control_cloud

@@ -52,8 +52,10 @@ TEST(WaySince, NamesWhereTheRobotMayBeInstead) {
 TEST(WaySince, InAnotherFrameTheWayBeginsAnew) {
   LooksTaken looks;
   looks.take_placed(front, {{{0.0, 0.0}, 0.0}, {{{-0.2, 0.0}, 0.0}}, 0.1}, 10.0);
-  looks.take_placed(front, {{{1.0, 0.0}, 0.0}, {{{0.5, 0.0}, 0.0}}, 0.1}, 11.0);
+  looks.take_placed(front, {{{1.0, 0.0}, 0.0}, {{{0.5, 0.0}, 0.0}}, 0.1}, 11.0, 71.0);
+  EXPECT_EQ(looks.find(2)->stamp, 71.0);
   looks.go_on_in_frame({{{30.0, 0.0}, 0.0}});
+  EXPECT_FALSE(looks.find(2)->stamp) << "where the robot was then, in the new frame, nobody has told";
   const Whereabouts now = at(31.0);
   WaySince way(looks, now);
   for (const std::uint64_t look : {1, 2}) EXPECT_NEAR(way.off(look, 1.0), 0.1, 1e-12) << look;

@@ -337,6 +337,39 @@ TEST(OutOfSight, ResetForgets) {
   EXPECT_EQ(robot.asked({0.0, -0.7, 0.0}).factor, 1.0);
 }
 
+/// Who drives off with the first cloud, before odometry has gone on for long enough to be asked.
+TEST(OutOfSight, WhatWasSeenBeforeOdometryIsAskedIsPlacedByItToo) {
+  const double distance = 0.813, rate = 1.5;
+  const auto turned = [&](double first, bool from_the_start) {
+    RobotWithOdometry robot;
+    const auto seen = [&] {
+      const double heading = robot.pose.heading;
+      return Scene({post(static_cast<float>(distance * std::cos(heading) + 0.087),
+                         static_cast<float>(distance * std::sin(heading)))});
+    };
+    if (!from_the_start) robot.passes(1.0, seen());
+    robot.twist = {0.0, 0.0, rate};
+    while (robot.pose.heading < first) {
+      robot.pass(0.05);
+      robot.pose.heading += 0.05 * rate;
+      robot.control.note_odometry(robot.now.ros, robot.pose, robot.twist);
+      robot.see(seen());
+      robot.wants(robot.twist);
+    }
+    robot.turns(quarter - robot.pose.heading, robot.hall);
+    return robot.asked({0.0, -0.7, 0.0});
+  };
+  const Guarded known = turned(0.3, false), reckoned = turned(0.3, true);
+  for (const Guarded* one : {&known, &reckoned}) {
+    ASSERT_TRUE(one->point) << one->reason;
+    EXPECT_EQ(one->sensor, "memory");
+    EXPECT_NEAR(one->point->x, 0.0, 0.05) << one->reason;
+    EXPECT_NEAR(one->point->y, -distance, 0.05) << one->reason;
+  }
+  EXPECT_GT(known.factor, 0.0);
+  EXPECT_NEAR(reckoned.factor, known.factor, 0.02);
+}
+
 /// Of which each by itself is no jump.
 TEST(OutOfSight, WhatNoMotionOfOdometryExplainsAddsUp) {
   double before = 1.0;
