@@ -35,6 +35,42 @@ double blank_in(const std::vector<Spot>& spots, const Pixels& picture) {
   return blank;
 }
 
+/// Whether something farther away was seen below it.
+bool hung(const Spot& spot) { return !spot.stands && !spot.foot_unseen; }
+
+/// Of what is remembered when a cloud comes: what the cloud before showed, and what is lost.
+class SpotsBefore {
+ public:
+  SpotsBefore(const std::vector<Thing>& seen, const std::vector<Remembered>& things) {
+    for (const Thing& thing : seen) all_.push_back(&thing.spots);
+    for (const Remembered& thing : things) all_.push_back(&thing.lost);
+  }
+
+  /// Whether the nearest of them hung, of those that may have moved to this place since.
+  bool hung_at(const Point& place) const {
+    float least = farthest_step * farthest_step;
+    bool any = false;
+    for (const auto* spots : all_) {
+      for (const Spot& spot : *spots) {
+        const float away = (spot.point.getVector3fMap() - place.getVector3fMap()).squaredNorm();
+        if (away > least || (away == least && any)) continue;
+        least = away;
+        any = hung(spot);
+      }
+    }
+    return any;
+  }
+
+ private:
+  std::vector<const std::vector<Spot>*> all_;
+};
+
+/// What was seen to hang still does, though something hides what is below it: it may touch what stands.
+void keep_hanging(std::vector<Thing>& seen, const SpotsBefore& before) {
+  for (Thing& now : seen)
+    for (Spot& spot : now.spots) spot.foot_unseen = spot.foot_unseen && !before.hung_at(spot.point);
+}
+
 void append(std::vector<Spot>& all, std::vector<Spot> some) {
   std::move(some.begin(), some.end(), std::back_inserter(all));
   if (all.size() <= most_lost) return;
@@ -153,6 +189,7 @@ std::vector<Thing> ThingsMemory::follow(std::vector<Thing> seen) {
     before.push_back(std::exchange(thing.seen, Thing{}));
     thing.seen.size = before.back().size;  // as it was seen last
   }
+  keep_hanging(seen, SpotsBefore(before, things_));
   for (Thing& now : seen) {
     std::size_t best = things_.size();
     const double least = now.at_border ? 0.05 : 0.25;  // what leaves the corridor may lose most of it in one step

@@ -188,6 +188,19 @@ TEST_P(StandingBeside, RailStaysWhenTheLegHasGoneBesideWhichItWasSeenLast) {
   stands_for_good();
 }
 
+TEST_P(StandingBeside, BarThatWasSeenToHangStaysThoughTheFloorBelowItWasHiddenAsItTouchedALeg) {
+  const auto touches = [](float z, std::size_t hidden_from) {
+    return std::vector<Block>{{203, 233, hidden_from, height, nan}, leg(140, 203, z), {203, 233, 60, 80, z}};
+  };
+  for (const float last : {0.41f, 0.45f}) {
+    begins();
+    for (const float z : {0.6f, 0.55f, 0.51f}) sees(touches(z, height), 2);
+    for (const float z : {0.49f, 0.47f, last}) sees(touches(z, 80), 2);
+    sees({too_near(140, 233)}, 3);
+    stands_for_good();
+  }
+}
+
 TEST_P(StandingBeside, PostOfTwoCentimetresStaysUntilItGoesWhenTheLegBesideItHasGone) {
   const Block hidden = too_near(150, 203), post = too_near(203, 217);
   begins();
