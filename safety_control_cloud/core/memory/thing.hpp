@@ -26,6 +26,7 @@ struct Spot {
   std::uint8_t lost_for = 0;           ///< so many clouds have been asked about it, or more than enough
   bool stands = false;                 ///< what is seen in this column reached down to the near floor
   bool foot_unseen = false;            ///< nothing farther away returned in this column below what is seen
+  bool hung_before = false;            ///< until what is below it was hidden: it does not go with the rest of a thing
   std::optional<Axis> axis{};          ///< of the camera then; none: of the first that asks
   std::optional<double> lost_since{};  ///< [s] steady
 

@@ -67,8 +67,12 @@ class SpotsBefore {
 
 /// What was seen to hang still does, though something hides what is below it: it may touch what stands.
 void keep_hanging(std::vector<Thing>& seen, const SpotsBefore& before) {
-  for (Thing& now : seen)
-    for (Spot& spot : now.spots) spot.foot_unseen = spot.foot_unseen && !before.hung_at(spot.point);
+  for (Thing& now : seen) {
+    for (Spot& spot : now.spots) {
+      spot.hung_before = spot.foot_unseen && before.hung_at(spot.point);
+      spot.foot_unseen = spot.foot_unseen && !spot.hung_before;
+    }
+  }
 }
 
 void append(std::vector<Spot>& all, std::vector<Spot> some) {
@@ -231,7 +235,7 @@ void ThingsMemory::lose(Remembered& thing, Thing before) {
 }
 
 void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Axis& axis) {
-  double past = 0.0, leaving = 0.0;  // of those that stay
+  double past = 0.0, leaving = 0.0, other = 0.0, other_past = 0.0;  // of those that stay
   std::vector<std::size_t> not_seen_past;
   std::size_t staying = 0;
   std::vector<Evidence> said(thing.lost.size());
@@ -267,8 +271,9 @@ void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor
       thing.freed += double{spot.share};
       return true;
     }
+    if (spot.hung_before) other += double{spot.share};
     if (spot.seen_past > 0) {
-      past += double{spot.share};
+      (spot.hung_before ? other_past : past) += double{spot.share};
     } else {
       not_seen_past.push_back(staying);
     }
@@ -278,17 +283,18 @@ void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor
     if (!goes(thing.lost[i], said[i])) std::swap(thing.lost[staying++], thing.lost[i]);
   }
   thing.lost.resize(staying);
-  const double gone = thing.freed + past, asked = size_of(thing.lost) - leaving;
-  const bool is_most = gone >= nearly * (thing.freed + asked) && gone >= few * (gone + leaving);
+  const double gone = thing.freed + past + other_past, asked = size_of(thing.lost) - leaving - other;
+  const bool is_most = gone >= nearly * (thing.freed + asked + other) && gone >= few * (gone + leaving);
   if (!(gone > 0.0) || !is_most) return;
-  double blank = 0.0;
+  double blank = 0.0, other_blank = 0.0;
   for (const std::size_t i : not_seen_past) {
     const Spot& spot = thing.lost[i];
-    if (between_rays || leaves_a_hole(spot, picture)) blank += double{spot.share};
+    if (between_rays || leaves_a_hole(spot, picture)) (spot.hung_before ? other_blank : blank) += double{spot.share};
   }
   // A hole may be something else, which went out of sight together with it.
-  const bool is_rest_a_hole = 2.0 * blank > asked - past;
-  if (!is_rest_a_hole) thing.lost.clear();
+  const bool is_rest_a_hole = 2.0 * blank > asked - past, is_other_a_hole = 2.0 * other_blank > other - other_past;
+  const auto goes_along = [&](const Spot& spot) { return spot.hung_before ? !is_other_a_hole : !is_rest_a_hole; };
+  thing.lost.erase(std::remove_if(thing.lost.begin(), thing.lost.end(), goes_along), thing.lost.end());
 }
 
 }  // namespace safety_control_cloud
