@@ -191,19 +191,13 @@ void OutOfSight::for_each(const Whereabouts& robot, double now, Visit visit) con
 void OutOfSight::go_on_in_frame(const Whereabouts& robot, const Whereabouts& there, double now, const RobotAt& was_at) {
   decltype(places_) places;
   for_each(robot, now, [&](const Place& place, const Here& here) {
-    Whereabouts from = there;
-    Point2 seen = here.place;
-    double off = here.off - own_size;
     const auto then = was_at && here.look.stamp ? was_at(*here.look.stamp) : std::nullopt;
-    if (then) {
-      from = *then;
-      seen = SeenAfter(here.look.robot.pose)({place.x, place.y});
-      off = place.off + drift_between(*then, there).at(here.range);
-    }
-    const Point2 at = from.pose.place + Turn(from.pose.heading)(seen);
+    const Pose2& from = then ? then->pose : there.pose;
+    const Point2 seen = then ? SeenAfter(here.look.robot.pose)({place.x, place.y}) : here.place;
+    const Point2 at = from.place + Turn(from.heading)(seen);
     Place moved = place;
     moved.x = at.x, moved.y = at.y;
-    moved.off = off;
+    moved.off = then ? place.off + drift_between(*then, there).at(here.range) : here.off - own_size;
     places.emplace(key_of(at, place.z), moved);
   });
   places_ = std::move(places);
