@@ -10,10 +10,6 @@ namespace {
 /// As many spots of a thing tell which one it is.
 constexpr std::size_t enough_spots = 24;
 
-float squared_distance(const Point& a, const Point& b) {
-  return (a.getVector3fMap() - b.getVector3fMap()).squaredNorm();
-}
-
 }  // namespace
 
 Likeness likeness_of(const std::vector<Spot>& before, const Thing& now) {

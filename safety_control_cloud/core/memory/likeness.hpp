@@ -10,6 +10,11 @@ namespace safety_control_cloud {
 /// So far a thing moves from one cloud to the next [m]: 3 m/s.
 constexpr float farthest_step = 0.15f;
 
+/// [m2]
+inline float squared_distance(const Point& a, const Point& b) {
+  return (a.getVector3fMap() - b.getVector3fMap()).squaredNorm();
+}
+
 /// What a thing that was seen has in common with one that is.
 struct Likeness {
   double share = 0.0;      ///< of what was seen: how much lies close to what is seen

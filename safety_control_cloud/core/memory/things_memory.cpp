@@ -35,6 +35,14 @@ double blank_in(const std::vector<Spot>& spots, const Pixels& picture) {
   return blank;
 }
 
+/// What is left of a thing when most of it has gone: which of it is seen past by now, and where a hole is [m2].
+struct Rest {
+  double size = 0.0, past = 0.0, blank = 0.0;
+
+  /// Which may be something else, that went out of sight together with it.
+  bool is_a_hole() const { return 2.0 * blank > size - past; }
+};
+
 /// Whether something farther away was seen below it.
 bool hung(const Spot& spot) { return !spot.stands && !spot.foot_unseen; }
 
@@ -44,7 +52,11 @@ class SpotsBefore {
   SpotsBefore(const std::vector<Thing>& seen, const std::vector<Remembered>& things) {
     for (const Thing& thing : seen) all_.push_back(&thing.spots);
     for (const Remembered& thing : things) all_.push_back(&thing.lost);
+    any_hung_ = std::any_of(all_.begin(), all_.end(),
+                            [](const auto* spots) { return std::any_of(spots->begin(), spots->end(), hung); });
   }
+
+  bool any_hung() const { return any_hung_; }
 
   /// Whether the nearest of them hung, of those that may have moved to this place since.
   bool hung_at(const Point& place) const {
@@ -52,7 +64,7 @@ class SpotsBefore {
     bool any = false;
     for (const auto* spots : all_) {
       for (const Spot& spot : *spots) {
-        const float away = (spot.point.getVector3fMap() - place.getVector3fMap()).squaredNorm();
+        const float away = squared_distance(spot.point, place);
         if (away > least || (away == least && any)) continue;
         least = away;
         any = hung(spot);
@@ -63,10 +75,12 @@ class SpotsBefore {
 
  private:
   std::vector<const std::vector<Spot>*> all_;
+  bool any_hung_;
 };
 
 /// What was seen to hang still does, though something hides what is below it: it may touch what stands.
 void keep_hanging(std::vector<Thing>& seen, const SpotsBefore& before) {
+  if (!before.any_hung()) return;
   for (Thing& now : seen) {
     for (Spot& spot : now.spots) {
       spot.hung_before = spot.foot_unseen && before.hung_at(spot.point);
@@ -235,7 +249,9 @@ void ThingsMemory::lose(Remembered& thing, Thing before) {
 }
 
 void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Axis& axis) {
-  double past = 0.0, leaving = 0.0, other = 0.0, other_past = 0.0;  // of those that stay
+  double leaving = 0.0;  // of those that stay
+  Rest rest, hung_rest;
+  const auto rest_with = [&](const Spot& spot) -> Rest& { return spot.hung_before ? hung_rest : rest; };
   std::vector<std::size_t> not_seen_past;
   std::size_t staying = 0;
   std::vector<Evidence> said(thing.lost.size());
@@ -271,9 +287,9 @@ void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor
       thing.freed += double{spot.share};
       return true;
     }
-    if (spot.hung_before) other += double{spot.share};
+    if (spot.hung_before) hung_rest.size += double{spot.share};
     if (spot.seen_past > 0) {
-      (spot.hung_before ? other_past : past) += double{spot.share};
+      rest_with(spot).past += double{spot.share};
     } else {
       not_seen_past.push_back(staying);
     }
@@ -283,17 +299,15 @@ void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor
     if (!goes(thing.lost[i], said[i])) std::swap(thing.lost[staying++], thing.lost[i]);
   }
   thing.lost.resize(staying);
-  const double gone = thing.freed + past + other_past, asked = size_of(thing.lost) - leaving - other;
-  const bool is_most = gone >= nearly * (thing.freed + asked + other) && gone >= few * (gone + leaving);
+  rest.size = size_of(thing.lost) - leaving - hung_rest.size;
+  const double gone = thing.freed + rest.past + hung_rest.past;
+  const bool is_most = gone >= nearly * (thing.freed + rest.size + hung_rest.size) && gone >= few * (gone + leaving);
   if (!(gone > 0.0) || !is_most) return;
-  double blank = 0.0, other_blank = 0.0;
   for (const std::size_t i : not_seen_past) {
     const Spot& spot = thing.lost[i];
-    if (between_rays || leaves_a_hole(spot, picture)) (spot.hung_before ? other_blank : blank) += double{spot.share};
+    if (between_rays || leaves_a_hole(spot, picture)) rest_with(spot).blank += double{spot.share};
   }
-  // A hole may be something else, which went out of sight together with it.
-  const bool is_rest_a_hole = 2.0 * blank > asked - past, is_other_a_hole = 2.0 * other_blank > other - other_past;
-  const auto goes_along = [&](const Spot& spot) { return spot.hung_before ? !is_other_a_hole : !is_rest_a_hole; };
+  const auto goes_along = [&](const Spot& spot) { return !rest_with(spot).is_a_hole(); };
   thing.lost.erase(std::remove_if(thing.lost.begin(), thing.lost.end(), goes_along), thing.lost.end());
 }
 
