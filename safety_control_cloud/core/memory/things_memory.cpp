@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "hanging.hpp"
 #include "likeness.hpp"
 
 namespace safety_control_cloud {
@@ -42,52 +43,6 @@ struct Rest {
   /// Which may be something else, that went out of sight together with it.
   bool is_a_hole() const { return 2.0 * blank > size - past; }
 };
-
-/// Whether something farther away was seen below it.
-bool hung(const Spot& spot) { return !spot.stands && !spot.foot_unseen; }
-
-/// Of what is remembered when a cloud comes: what the cloud before showed, and what is lost.
-class SpotsBefore {
- public:
-  SpotsBefore(const std::vector<Thing>& seen, const std::vector<Remembered>& things) {
-    for (const Thing& thing : seen) all_.push_back(&thing.spots);
-    for (const Remembered& thing : things) all_.push_back(&thing.lost);
-    any_hung_ = std::any_of(all_.begin(), all_.end(),
-                            [](const auto* spots) { return std::any_of(spots->begin(), spots->end(), hung); });
-  }
-
-  bool any_hung() const { return any_hung_; }
-
-  /// Whether the nearest of them hung, of those that may have moved to this place since.
-  bool hung_at(const Point& place) const {
-    float least = farthest_step * farthest_step;
-    bool any = false;
-    for (const auto* spots : all_) {
-      for (const Spot& spot : *spots) {
-        const float away = squared_distance(spot.point, place);
-        if (away > least || (away == least && any)) continue;
-        least = away;
-        any = hung(spot);
-      }
-    }
-    return any;
-  }
-
- private:
-  std::vector<const std::vector<Spot>*> all_;
-  bool any_hung_;
-};
-
-/// What was seen to hang still does, though something hides what is below it: it may touch what stands.
-void keep_hanging(std::vector<Thing>& seen, const SpotsBefore& before) {
-  if (!before.any_hung()) return;
-  for (Thing& now : seen) {
-    for (Spot& spot : now.spots) {
-      spot.hung_before = spot.foot_unseen && before.hung_at(spot.point);
-      spot.foot_unseen = spot.foot_unseen && !spot.hung_before;
-    }
-  }
-}
 
 void append(std::vector<Spot>& all, std::vector<Spot> some) {
   std::move(some.begin(), some.end(), std::back_inserter(all));
@@ -207,7 +162,10 @@ std::vector<Thing> ThingsMemory::follow(std::vector<Thing> seen) {
     before.push_back(std::exchange(thing.seen, Thing{}));
     thing.seen.size = before.back().size;  // as it was seen last
   }
-  keep_hanging(seen, SpotsBefore(before, things_));
+  std::vector<const std::vector<Spot>*> remembered;
+  for (const Thing& thing : before) remembered.push_back(&thing.spots);
+  for (const Remembered& thing : things_) remembered.push_back(&thing.lost);
+  keep_hanging(seen, remembered);
   for (Thing& now : seen) {
     std::size_t best = things_.size();
     const double least = now.at_border ? 0.05 : 0.25;  // what leaves the corridor may lose most of it in one step

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "hanging.hpp"
+
+#include <algorithm>
+
+#include "likeness.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+using Spots = std::vector<const std::vector<Spot>*>;
+
+/// Whether something farther away was seen below it.
+bool hung(const Spot& spot) { return !spot.stands && !spot.foot_unseen; }
+
+bool any_hung(const Spots& remembered) {
+  return std::any_of(remembered.begin(), remembered.end(),
+                     [](const auto* spots) { return std::any_of(spots->begin(), spots->end(), hung); });
+}
+
+/// Of several that are as near, any.
+bool nearest_hung(const Point& place, const Spots& remembered) {
+  float least = farthest_step * farthest_step;
+  bool any = false;
+  for (const auto* spots : remembered) {
+    for (const Spot& spot : *spots) {
+      const float away = squared_distance(spot.point, place);
+      if (away > least || (away == least && any)) continue;
+      least = away;
+      any = hung(spot);
+    }
+  }
+  return any;
+}
+
+}  // namespace
+
+void keep_hanging(std::vector<Thing>& seen, const Spots& remembered) {
+  if (!any_hung(remembered)) return;
+  for (Thing& now : seen) {
+    for (Spot& spot : now.spots) {
+      spot.hung_before = spot.foot_unseen && nearest_hung(spot.point, remembered);
+      spot.foot_unseen = spot.foot_unseen && !spot.hung_before;
+    }
+  }
+}
+
+}  // namespace safety_control_cloud
