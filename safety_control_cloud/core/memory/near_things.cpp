@@ -24,6 +24,10 @@ constexpr float border = 0.03f;         // [m] within the corridor's sides
 constexpr std::size_t thin_run = 4;     // successive pixels of a line: fewer are the corner of something, or noise
 constexpr double sparse_weight = 0.25;  // [m2] as of a pixel half a metre away
 
+/// What recedes by more than this [m] within as many lines, from one down to the other, and goes on there, is overhung.
+constexpr float overhang = 0.02f;
+constexpr std::size_t overhung_lines = 3, goes_on_lines = 2;
+
 std::size_t few_in(const Pixels& picture) { return std::max(few_pixels, picture.width() * picture.height() / few_of); }
 
 using Index = NearPixels::Index;
@@ -87,22 +91,27 @@ class Finding {
     thing.at_border = all.beside || std::any_of(some.begin(), some.end(), [this](const Stretch& stretch) {
                         return is_at_border_of_picture(stretch);
                       });
-    thing.feet = feet_of(some);
+    const auto lowest = lowest_of(some);
+    thing.feet = feet_of(lowest);
     const auto width = static_cast<double>(search_.picture.width());
     thing.size = search_.sparse ? sparse_weight * static_cast<double>(all.pixels) : all.squares;
     thing.size *=
         static_cast<double>(pixels_each) / (width * width);  // but for the camera's angle, which is always the same
-    thing.spots = spots_of(some);
+    thing.spots = spots_of(some, lowest);
     for (Spot& spot : thing.spots)
       spot.share = static_cast<float>(thing.size / static_cast<double>(thing.spots.size()));
     return thing;
   }
 
-  std::vector<Foot> feet_of(const Stretches& all) const {
-    constexpr Index none = std::numeric_limits<Index>::max();
+  /// Of each slot of a line, that of the thing's lowest pixel there, or `none`.
+  std::vector<Index> lowest_of(const Stretches& all) const {
     std::vector<Index> lowest(found_.slots, none);
     for (const Stretch& some : all)  // they come line by line
       lines::note_lowest(slots_of(some), some.begin, lowest.data() + found_.slot_of(some.begin));
+    return lowest;
+  }
+
+  std::vector<Foot> feet_of(const std::vector<Index>& lowest) const {
     std::vector<Foot> feet;
     for (const Index i : lowest) {
       if (i != none) feet.push_back({static_cast<std::uint16_t>(found_.row_of(i)), found_.column[i], found_.ahead[i]});
@@ -111,7 +120,7 @@ class Finding {
   }
 
   /// Spread over its inner pixels, if it has any, and those of parts too thin to have any.
-  std::vector<Spot> spots_of(const Stretches& all) const {
+  std::vector<Spot> spots_of(const Stretches& all, const std::vector<Index>& lowest) const {
     auto chosen = inner_and_thin(all);
     if (chosen.empty()) chosen = pixels_of(all);
     const std::size_t step = 1 + chosen.size() / most_spots;
@@ -120,9 +129,33 @@ class Finding {
     double golden = 0.5;  // of each step: at its middle every time, they might all lie in one column
     for (std::size_t i = 0; i < chosen.size(); i += step, golden = std::fmod(golden + 0.618034, 1.0)) {
       const std::size_t at = i + static_cast<std::size_t>(golden * static_cast<double>(step));
-      if (at < chosen.size()) spots.push_back(spot_at(chosen[at]));
+      if (at >= chosen.size()) continue;
+      spots.push_back(spot_at(chosen[at]));
+      spots.back().overhangs = overhangs(chosen[at], lowest[found_.slot_of(chosen[at])]);
     }
     return spots;
+  }
+
+  /// Whether a pixel is before what is seen below it, down to the thing's lowest in this slot.
+  bool overhangs(Index i, Index lowest) const {
+    const float before = found_.ahead[i] + overhang;
+    std::size_t farther = 0;
+    for (std::size_t below = i + found_.slots; below <= lowest; below += found_.slots) {
+      const float ahead = found_.ahead[below];
+      if (std::isnan(ahead)) continue;
+      farther = ahead > before && (farther > 0 || recedes(below, i)) ? farther + 1 : 0;
+      if (farther == goes_on_lines) return true;
+    }
+    return false;
+  }
+
+  /// Whether a pixel is so much farther away than one of those right above it, down from `top`, that it is overhung.
+  bool recedes(std::size_t at, std::size_t top) const {
+    const std::size_t slots = found_.slots;
+    for (std::size_t up = 1; up <= overhung_lines && at >= top + up * slots; ++up) {
+      if (found_.ahead[at] - found_.ahead[at - up * slots] > overhang) return true;
+    }
+    return false;
   }
 
   /// None if none is inner. A rail that is joined to a leg is thin, and may be lost while the leg is seen to go.
@@ -198,6 +231,8 @@ class Finding {
     const bool is_at_right = first + size_of(some) == found_.slots && is_pixel(some.end - 1);
     return row <= found_.row_step || first == 0 || is_at_right || row + found_.row_step + 1 >= search_.picture.height();
   }
+
+  static constexpr Index none = std::numeric_limits<Index>::max();
 
   const NearSearch& search_;
   const Axis axis_;

@@ -24,6 +24,7 @@ struct Spot {
   std::uint8_t company = 0;            ///< how many of the 3 x 3 pixels around it returned then
   std::uint8_t seen_past = 0;          ///< so many successive clouds show something behind it
   std::uint8_t lost_for = 0;           ///< so many clouds have been asked about it, or more than enough
+  bool overhangs = false;              ///< the thing recedes below it, at once: what stands there is behind it
   bool stands = false;                 ///< what is seen in this column reached down to the near floor
   bool foot_unseen = false;            ///< nothing farther away returned in this column below what is seen
   bool hung_before = false;            ///< until what is below it was hidden: it does not go with the rest of a thing

@@ -123,6 +123,31 @@ TEST_P(StandingBeside, BarStaysOfWhichOnlyAPartTouchedALeg) {
   }
 }
 
+TEST_P(StandingBeside, BarStaysThatHungBeforeALegHoweverLittleFartherTheLegWas) {
+  for (const float behind : {0.025f, 0.03f, 0.04f, 0.055f, 0.07f}) {
+    for (const std::size_t reach : {0u, 20u}) {  // beside the leg
+      const auto before_it = [&](float z) {
+        return std::vector<Block>{leg(140, 203, z + behind), {140 - reach, 203 + reach, 60, 90, z}};
+      };
+      begins();
+      for (const float z : {0.6f, 0.55f, 0.5f, 0.45f, 0.41f}) sees(before_it(z), 2);
+      sees({too_near(140, 203), {140 - reach, 203 + reach, 60, 90, nan}}, 3);
+      stands_for_good();
+    }
+  }
+}
+
+TEST_P(StandingBeside, RobotDrivesOnWhenALegHasGoneThatLeanedForwardAndHadAFootBeforeIt) {
+  std::vector<Block> leaning;
+  for (std::size_t row = 0; row < height; row += 8)
+    leaning.push_back({140, 203, row, row + 8, 0.45f + 0.003f * static_cast<float>(row / 8)});
+  leaning.push_back({140, 203, 224, height, 0.5f});
+  begins();
+  sees(leaning, 5);
+  sees({too_near(140, 203)}, 3);
+  EXPECT_EQ(sees({}, 10).speed, 0.2);
+}
+
 TEST_P(StandingBeside, PostOfTwoCentimetresStaysUntilItGoesWhenTheLegBesideItHasGone) {
   const Block hidden = too_near(150, 203), post = too_near(203, 217);
   begins();
