@@ -39,8 +39,9 @@ void keep_hanging(std::vector<Thing>& seen, const Spots& remembered) {
   if (!any_hung(remembered)) return;
   for (Thing& now : seen) {
     for (Spot& spot : now.spots) {
-      spot.hung_before = spot.foot_unseen && nearest_hung(spot.point, remembered);
-      spot.foot_unseen = spot.foot_unseen && !spot.hung_before;
+      const bool may_hang = spot.foot_unseen || (spot.stands && spot.overhang > 0.0f);
+      spot.hung_before = may_hang && nearest_hung(spot.point, remembered);
+      if (spot.hung_before) spot.stands = spot.foot_unseen = false;
     }
   }
 }

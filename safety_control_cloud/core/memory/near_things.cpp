@@ -24,8 +24,9 @@ constexpr float border = 0.03f;         // [m] within the corridor's sides
 constexpr std::size_t thin_run = 4;     // successive pixels of a line: fewer are the corner of something, or noise
 constexpr double sparse_weight = 0.25;  // [m2] as of a pixel half a metre away
 
-/// What recedes by more than this [m] within as many lines, from one down to the other, and goes on there, is overhung.
-constexpr float overhang = 0.02f;
+/// What recedes within as many lines, from one down to the other, and goes on there, is overhung. Less than this [m] is
+/// noise, or a thing that leans; where it is as much as `clear_overhang`, how much does not matter.
+constexpr float least_overhang = 0.01f;
 constexpr std::size_t overhung_lines = 3, goes_on_lines = 2;
 
 std::size_t few_in(const Pixels& picture) { return std::max(few_pixels, picture.width() * picture.height() / few_of); }
@@ -131,31 +132,36 @@ class Finding {
       const std::size_t at = i + static_cast<std::size_t>(golden * static_cast<double>(step));
       if (at >= chosen.size()) continue;
       spots.push_back(spot_at(chosen[at]));
-      spots.back().overhangs = overhangs(chosen[at], lowest[found_.slot_of(chosen[at])]);
+      spots.back().overhang = overhang(chosen[at], lowest[found_.slot_of(chosen[at])]);
     }
     return spots;
   }
 
-  /// Whether a pixel is before what is seen below it, down to the thing's lowest in this slot.
-  bool overhangs(Index i, Index lowest) const {
-    const float before = found_.ahead[i] + overhang;
-    std::size_t farther = 0;
-    for (std::size_t below = i + found_.slots; below <= lowest; below += found_.slots) {
-      const float ahead = found_.ahead[below];
-      if (std::isnan(ahead)) continue;
-      farther = ahead > before && (farther > 0 || recedes(below, i)) ? farther + 1 : 0;
-      if (farther == goes_on_lines) return true;
+  /// So much a pixel is before what is seen right below it, anywhere down to the thing's lowest in this slot [m].
+  float overhang(Index i, Index lowest) const {
+    const float before = found_.ahead[i];
+    float most = 0.0f, some = 0.0f;
+    std::size_t goes_on = 0;
+    for (std::size_t below = i + found_.slots; below <= lowest && most < clear_overhang; below += found_.slots) {
+      const float farther = found_.ahead[below] - before;
+      if (std::isnan(farther)) continue;
+      if (farther <= least_overhang || (goes_on == 0 && step_down_to(below, i) <= least_overhang)) {
+        goes_on = 0;
+        continue;
+      }
+      some = goes_on == 0 ? std::min(farther, step_down_to(below, i)) : std::min(some, farther);
+      if (++goes_on >= goes_on_lines) most = std::max(most, some);
     }
-    return false;
+    return most;
   }
 
-  /// Whether a pixel is so much farther away than one of those right above it, down from `top`, that it is overhung.
-  bool recedes(std::size_t at, std::size_t top) const {
+  /// By how much a pixel is farther away than the nearest of those right above it, down from `top` [m].
+  float step_down_to(std::size_t at, std::size_t top) const {
     const std::size_t slots = found_.slots;
-    for (std::size_t up = 1; up <= overhung_lines && at >= top + up * slots; ++up) {
-      if (found_.ahead[at] - found_.ahead[at - up * slots] > overhang) return true;
-    }
-    return false;
+    float step = 0.0f;
+    for (std::size_t up = 1; up <= overhung_lines && at >= top + up * slots; ++up)
+      step = std::fmax(step, found_.ahead[at] - found_.ahead[at - up * slots]);
+    return step;
   }
 
   /// None if none is inner. A rail that is joined to a leg is thin, and may be lost while the leg is seen to go.

@@ -163,8 +163,9 @@ void place_on_ground(std::vector<Thing>& things, NearGround& ground, const Pixel
     thing.hangs = 2 * hanging > thing.feet.size();
     for (Spot& spot : thing.spots) {
       const std::size_t column = ground.column_at(spot.column);
-      spot.stands = stands[column] && !spot.overhangs;
-      spot.foot_unseen = unseen[column] && !spot.overhangs;
+      const bool juts_out = spot.overhang >= clear_overhang;
+      spot.stands = stands[column] && !juts_out;
+      spot.foot_unseen = unseen[column] && !juts_out;
     }
   }
 }

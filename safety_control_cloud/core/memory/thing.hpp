@@ -14,6 +14,9 @@ namespace safety_control_cloud {
 /// By so much a thing grows in the picture when a robot that brakes comes nearer than it can see.
 constexpr double growth = 0.25;
 
+/// What juts out over what is seen below it by this much hangs before that; by less it may lean [m].
+constexpr float clear_overhang = 0.02f;
+
 /// A pixel in which a thing was seen, and what the picture is asked about there.
 struct Spot {
   std::uint16_t row = 0, column = 0;
@@ -24,10 +27,10 @@ struct Spot {
   std::uint8_t company = 0;            ///< how many of the 3 x 3 pixels around it returned then
   std::uint8_t seen_past = 0;          ///< so many successive clouds show something behind it
   std::uint8_t lost_for = 0;           ///< so many clouds have been asked about it, or more than enough
-  bool overhangs = false;              ///< the thing recedes below it, at once: what stands there is behind it
+  float overhang = 0.0f;               ///< so much the thing recedes at once below it, or more [m]
   bool stands = false;                 ///< what is seen in this column reached down to the near floor
   bool foot_unseen = false;            ///< nothing farther away returned in this column below what is seen
-  bool hung_before = false;            ///< until what is below it was hidden: it does not go with the rest of a thing
+  bool hung_before = false;            ///< until something hid what is below it: it does not go with the rest of a thing
   std::optional<Axis> axis{};          ///< of the camera then; none: of the first that asks
   std::optional<double> lost_since{};  ///< [s] steady
 

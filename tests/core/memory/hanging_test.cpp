@@ -38,6 +38,18 @@ TEST(Hanging, WhatStoodOrWasNotSeenOrIsFarAwayTellsNothing) {
   }
 }
 
+TEST(Hanging, WhatHungStillDoesThoughItsFootIsThatOfWhatIsRightBehindIt) {
+  for (const float overhang : {0.0f, 0.012f}) {
+    std::vector<Thing> seen(1);
+    const std::vector<Spot> before{hanging};
+    seen[0].spots = {spot_at(0.0f, true, false)};
+    seen[0].spots[0].overhang = overhang;
+    keep_hanging(seen, {&before});
+    EXPECT_EQ(seen[0].spots[0].hung_before, overhang > 0.0f);
+    EXPECT_EQ(seen[0].spots[0].stands, overhang == 0.0f);
+  }
+}
+
 TEST(Hanging, TheNearestDecidesAndOfTwoThatAreAsNearTheOneThatHung) {
   EXPECT_FALSE(after({hanging, spot_at(0.02f, true, false)}).hung_before);
   EXPECT_TRUE(after({standing, spot_at(0.02f, false, false)}).hung_before);

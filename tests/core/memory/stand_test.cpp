@@ -137,6 +137,17 @@ TEST_P(StandingBeside, BarStaysThatHungBeforeALegHoweverLittleFartherTheLegWas) 
   }
 }
 
+TEST_P(StandingBeside, BarStaysThatWasSeenToHangBeforeALegCameRightBehindIt) {
+  for (const float behind : {0.012f, 0.015f, 0.018f}) {
+    begins();
+    for (const float z : {0.6f, 0.5f, 0.45f}) sees({{150, 190, 60, 90, z}}, 2);
+    for (const float gap : {0.05f, 0.03f, behind}) sees({leg(140, 203, 0.45f + gap), {150, 190, 60, 90, 0.45f}}, 2);
+    for (const float z : {0.43f, 0.41f}) sees({leg(140, 203, z + behind), {150, 190, 60, 90, z}}, 2);
+    sees({too_near(140, 203), {150, 190, 60, 90, nan}}, 3);
+    stands_for_good();
+  }
+}
+
 TEST_P(StandingBeside, RobotDrivesOnWhenALegHasGoneThatLeanedForwardAndHadAFootBeforeIt) {
   std::vector<Block> leaning;
   for (std::size_t row = 0; row < height; row += 8)
