@@ -43,6 +43,15 @@ std::size_t columns_of(const Frame& frame) {
   return (frame.width + step - 1) / step;
 }
 
+/// What a column shows lowest, in the corridor's axes, if that lies elsewhere than near and in the corridor.
+std::optional<Point> lowest_elsewhere(std::size_t column, const NearGround& ground, const Pixels& picture,
+                                      const Outlook& outlook) {
+  std::size_t row = 0;
+  while (row < ground.rows() && ground.row(row)[column] == NearGround::nothing) ++row;
+  if (row == ground.rows() || ground.row(row)[column] != NearGround::elsewhere) return std::nullopt;
+  return placed(picture.at(ground.picture_row(row), ground.picture_column(column)), outlook);
+}
+
 /// Of a column, in pixels of the picture.
 double middle_of(std::size_t column, const Frame& frame) {
   return static_cast<double>(column * NearGround::column_step_of(frame.width));
@@ -58,7 +67,7 @@ double lowest_in(const Frame& frame) {
 
 std::optional<Loss> LowObstacles::judge(const NearGround& ground, const Pixels& picture, const Outlook& outlook,
                                         const Patience& patience) {
-  survey(ground);
+  survey(ground, picture, outlook);
   forget_old(patience);
   if (std::exchange(is_corridor_new_, false)) drop_what_lies_beside(ground, picture, outlook);
   const auto any_post = [&](auto fulfils) { return any_adjacent(post_share_of_width, ground.columns(), fulfils); };
@@ -110,10 +119,22 @@ bool LowObstacles::shows(const Beside& step) const {
   return lowest_in(frame_) >= step.lowest - border;
 }
 
-void LowObstacles::survey(const NearGround& ground) {
+void LowObstacles::survey(const NearGround& ground, const Pixels& picture, const Outlook& outlook) {
   note(ground);
+  look_beside(ground, picture, outlook);
   for (std::size_t i = 0; i < ground.columns(); ++i)
     if (!shows_step(i, ground) && !hides_floor(i)) floor_[i] = 0;
+}
+
+/// In a column that shows no near ground in the corridor, near ground beside it is as good: nothing hides it.
+void LowObstacles::look_beside(const NearGround& ground, const Pixels& picture, const Outlook& outlook) {
+  const Point camera = outlook.camera();
+  for (std::size_t i = 0; i < ground.columns(); ++i) {
+    if (!is_step(i) || lowest_[i] != none) continue;
+    const auto place = lowest_elsewhere(i, ground, picture, outlook);
+    if (place && place->z - camera.z < ground.distance() && place->y > outlook.corridor.y_max)
+      lowest_[i] = static_cast<Millimetres>(std::lround(1000.0f * (place->y - camera.y)));
+  }
 }
 
 /// Nearer, the lowest pixel shows more and more of the step.
@@ -165,11 +186,8 @@ bool LowObstacles::hides_floor(std::size_t column) const {
 /// By what its column shows lowest.
 void LowObstacles::drop_what_lies_beside(const NearGround& ground, const Pixels& picture, const Outlook& outlook) {
   for (std::size_t i = 0; i < ground.columns(); ++i) {
-    std::size_t row = 0;
-    while (row < ground.rows() && ground.row(row)[i] == NearGround::nothing) ++row;
-    if (row == ground.rows() || ground.row(row)[i] != NearGround::elsewhere) continue;
-    const Point place = placed(picture.at(ground.picture_row(row), ground.picture_column(i)), outlook);
-    if (place.x < outlook.corridor.x_min || place.x > outlook.corridor.x_max) floor_[i] = 0;
+    const auto place = lowest_elsewhere(i, ground, picture, outlook);
+    if (place && !outlook.corridor.spans(place->x)) floor_[i] = 0;
   }
 }
 

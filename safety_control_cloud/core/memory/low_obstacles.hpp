@@ -15,7 +15,8 @@
 namespace safety_control_cloud {
 
 /// What stands on the near floor and ends below the corridor: a kerb, a step, a shoe. Nearer, the camera looks over it,
-/// so it is kept from when it is first seen until the floor before it is seen again.
+/// so it is kept from when it is first seen until the floor before it is seen again, be that beside the corridor, which
+/// the rays at its sides leave before they reach the floor.
 ///
 /// In a pixel column it is a step: from the lowest pixel up, the near ground rises at once. Both are seen in one cloud,
 /// so that neither a slope nor a bump of the robot looks like one. Where something near is seen in the corridor too,
@@ -54,7 +55,8 @@ class LowObstacles {
 
   std::vector<Beside> all_steps() const;
   bool shows(const Beside& step) const;
-  void survey(const NearGround& ground);
+  void survey(const NearGround& ground, const Pixels& picture, const Outlook& outlook);
+  void look_beside(const NearGround& ground, const Pixels& picture, const Outlook& outlook);
   void look_at(const NearGround& ground);
   bool shows_step(std::size_t column, const NearGround& ground) const;
   void forget_old(const Patience& patience);
@@ -69,7 +71,7 @@ class LowObstacles {
   std::vector<Beside> beside_;
   // Of each column, below the camera.
   std::vector<Millimetres> floor_;    ///< before the step; 0 if there is no step
-  std::vector<Millimetres> lowest_;   ///< the near ground that the lowest pixel of it shows now
+  std::vector<Millimetres> lowest_;   ///< the near ground that the lowest pixel of it shows now; `none` if none does
   std::vector<double> hidden_since_;  ///< [s] steady: the floor before the step
   std::vector<std::int16_t> above_;   ///< pixels that show ground a step above that, or above `floor_`
   bool is_corridor_new_ = false;      ///< and no cloud has come since

@@ -189,6 +189,26 @@ TEST(LowObstacles, RobotDrivesPastAKerbBesideTheCorridor) {
   }
 }
 
+/// At its side the picture shows no floor in the corridor, but a shoe that stands out of it.
+TEST(LowObstacles, RobotDrivesOnWhenAShoeHasLeftTheCorridorAside) {
+  for (const float z : {0.60f, 0.64f, 0.68f}) {
+    for (const float step : {-0.05f, 0.05f}) {
+      for (const float x_max : {0.3f, 0.2f}) {
+        Settings settings;
+        settings.corridor.x_min = -x_max, settings.corridor.x_max = x_max;
+        Robot robot(settings);
+        const auto shoe = [z](float x) { return Board{z, x - 0.05f, x + 0.05f, floor_y - 0.08f, floor_y}; };
+        robot.sees(Scene());
+        EXPECT_EQ(robot.sees({shoe(0.0f)}).cause, Cause::LowObstacle) << z;
+        for (float x = step; std::abs(x) < x_max; x += step)
+          EXPECT_LT(robot.sees({shoe(x)}).speed, 0.2) << z << ", " << x;
+        for (float x = x_max; x < 0.6f; x += 0.05f) robot.sees({shoe(std::copysign(x, step))});
+        EXPECT_EQ(robot.sees(Scene()).speed, 0.2) << z << ", " << step << ", " << x_max;
+      }
+    }
+  }
+}
+
 TEST(LowObstacles, ResetForgetsThemAndSoDoesSwitchingTheMemoryOff) {
   Robot robot;
   for (const float z : {0.74f, 0.72f, 0.70f}) robot.sees(with_plateau(z, 0.05f));
