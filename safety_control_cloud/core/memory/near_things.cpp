@@ -18,6 +18,9 @@ namespace {
 constexpr float jump = 0.06f;  // [m]
 /// The picture is asked about at most so many spots of a thing, or nearly so.
 constexpr std::size_t most_spots = 120;
+/// What is nearest of a thing goes out of sight first: it has as many places of its own, however small it is.
+constexpr std::size_t foremost_spots = 12;
+constexpr float foremost = 0.02f;       // [m] behind the nearest
 constexpr std::size_t few_pixels = 9;   // three by three
 constexpr std::size_t few_of = 500;     // of a picture, one in so many are few too
 constexpr float border = 0.03f;         // [m] within the corridor's sides
@@ -98,9 +101,7 @@ class Finding {
     thing.size = search_.sparse ? sparse_weight * static_cast<double>(all.pixels) : all.squares;
     thing.size *=
         static_cast<double>(pixels_each) / (width * width);  // but for the camera's angle, which is always the same
-    thing.spots = spots_of(some, lowest);
-    for (Spot& spot : thing.spots)
-      spot.share = static_cast<float>(thing.size / static_cast<double>(thing.spots.size()));
+    thing.spots = spots_of(some, thing, lowest);
     return thing;
   }
 
@@ -120,21 +121,42 @@ class Finding {
     return feet;
   }
 
-  /// Spread over its inner pixels, if it has any, and those of parts too thin to have any.
-  std::vector<Spot> spots_of(const Stretches& all, const std::vector<Index>& lowest) const {
+  /// Spread over its inner pixels, if it has any, and those of parts too thin to have any; and, if that leaves fewer to
+  /// what is foremost, over that by itself. Each stands for as much of the thing as the pixels over which it is spread.
+  std::vector<Spot> spots_of(const Stretches& all, const Thing& thing, const std::vector<Index>& lowest) const {
     auto chosen = inner_and_thin(all);
     if (chosen.empty()) chosen = pixels_of(all);
-    const std::size_t step = 1 + chosen.size() / most_spots;
-    std::vector<Spot> spots;
-    spots.reserve(chosen.size() / step + 1);
-    double golden = 0.5;  // of each step: at its middle every time, they might all lie in one column
-    for (std::size_t i = 0; i < chosen.size(); i += step, golden = std::fmod(golden + 0.618034, 1.0)) {
-      const std::size_t at = i + static_cast<std::size_t>(golden * static_cast<double>(step));
-      if (at >= chosen.size()) continue;
-      spots.push_back(spot_at(chosen[at]));
-      spots.back().overhang = overhang(chosen[at], lowest[found_.slot_of(chosen[at])]);
+    const auto is_foremost = [&](Index i) { return found_.ahead[i] < thing.nearest + foremost; };
+    std::vector<Index> places = spread(chosen, 1 + chosen.size() / most_spots), front;
+    if (static_cast<std::size_t>(std::count_if(places.begin(), places.end(), is_foremost)) < foremost_spots) {
+      std::copy_if(chosen.begin(), chosen.end(), std::back_inserter(front), is_foremost);
+      places.erase(std::remove_if(places.begin(), places.end(), is_foremost), places.end());
     }
+    const double share = thing.size / static_cast<double>(chosen.size());
+    std::vector<Spot> spots;
+    spots.reserve(places.size() + 2 * foremost_spots);
+    const auto add = [&](const std::vector<Index>& some, std::size_t pixels) {
+      for (const Index i : some) {
+        spots.push_back(spot_at(i));
+        spots.back().overhang = overhang(i, lowest[found_.slot_of(i)]);
+        spots.back().share = static_cast<float>(share * static_cast<double>(pixels) / static_cast<double>(some.size()));
+      }
+    };
+    add(spread(front, std::max<std::size_t>(1, front.size() / foremost_spots)), front.size());
+    add(places, chosen.size() - front.size());
     return spots;
+  }
+
+  /// One of each `step` pixels.
+  static std::vector<Index> spread(const std::vector<Index>& pixels, std::size_t step) {
+    std::vector<Index> some;
+    some.reserve(pixels.size() / step + 1);
+    double golden = 0.5;  // of each step: at its middle every time, they might all lie in one column
+    for (std::size_t i = 0; i < pixels.size(); i += step, golden = std::fmod(golden + 0.618034, 1.0)) {
+      const std::size_t at = i + static_cast<std::size_t>(golden * static_cast<double>(step));
+      if (at < pixels.size()) some.push_back(pixels[at]);
+    }
+    return some;
   }
 
   /// So much a pixel is before what is seen right below it, anywhere down to the thing's lowest in this slot [m].

@@ -36,8 +36,7 @@ double size_of(const std::vector<Spot>& spots);  ///< [m2]
 ///   once if it does so for nearly all of it. Then the rest goes too, unless most of that is a hole: something smaller
 ///   may have gone out of sight together with it.
 /// - Of a cloud that is not organised the picture is a raster, in which what is thin leaves no hole: it is not seen
-/// past
-///   while nothing may return on the rays that it would take.
+///   past while nothing may return on the rays that it would take.
 /// - What the picture does not show, since it is another one than that in which the thing was seen, stays lost.
 /// - What leaves the picture at its upper border, within the corridor, is not seen to go by what is seen below it.
 /// - What is near is kept. What is farther away is only watched: if a thing of fair extent, which nothing hides and

@@ -148,6 +148,18 @@ TEST_P(StandingBeside, BarStaysThatWasSeenToHangBeforeALegCameRightBehindIt) {
   }
 }
 
+TEST_P(StandingBeside, SmallThingStaysThatHungBeforeALargeOneAndWasLostWhileThatWasSeen) {
+  for (const float behind : {0.025f, 0.04f, 0.055f}) {
+    for (const std::size_t wide : {16u, 40u}) {
+      const auto hung = [=](float z) { return Block{160 - wide / 2, 160 + wide / 2, 90, 110, z}; };
+      begins();
+      for (const float z : {0.6f, 0.55f, 0.5f, 0.45f, 0.41f}) sees({leg(60, 260, z + behind), hung(z)}, 2);
+      sees({leg(60, 260, 0.43f), hung(nan)}, 5);
+      for (int i = 0; i < 60; ++i) EXPECT_EQ(sees({hung(nan)}).speed, 0.0) << behind << ", " << wide << ", " << i;
+    }
+  }
+}
+
 TEST_P(StandingBeside, RobotDrivesOnWhenALegHasGoneThatLeanedForwardAndHadAFootBeforeIt) {
   std::vector<Block> leaning;
   for (std::size_t row = 0; row < height; row += 8)
