@@ -86,14 +86,14 @@ void GuardControl::see(const Reading& reading, const Origin& origin, const Insta
   const auto pose = memory_.note(sensor, *look, went, now);
   const bool is_any_lost = sensors_[sensor].note_pose(pose, now.steady);
   if (!is_any_lost || !pose || !memory_.remembers()) return;
-  const auto robot = memory_.by_odometry_at(look->stamp, went);
+  const auto robot = memory_.by_odometry_at(look->stamp, went, now);
   sensors_[sensor].explain_loss(memory_.resting(look->outlook, *robot, now), settings_.memory_time, now.steady);
 }
 
 void GuardControl::explain_blindness(std::size_t sensor, const Origin& origin, const Instant& now) {
   GuardSensor& blind = sensors_[sensor];
   const auto outlook = blind.outlook_if_blind(origin.placing);
-  const auto robot = memory_.by_odometry_at(blind.taken_at(origin, now), {odometry_, given_});
+  const auto robot = memory_.by_odometry_at(blind.taken_at(origin, now), {odometry_, given_}, now);
   if (outlook && robot) blind.explain_blindness(memory_.resting(*outlook, *robot, now));
 }
 

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double begins_after = 0.2;  ///< [s] that odometry must go on before it is asked
 constexpr double least_jump = 0.1;    ///< [m], [rad]
+constexpr double soon = 0.05;         ///< [s] in which no base comes to move much otherwise
 constexpr double full_turn = 2.0 * 3.14159265358979323846;
 
 OutOfSightLimits limits_by(const Settings& settings) {
@@ -142,8 +143,8 @@ void GuardMemory::choose_whereabouts(double stamp, const Went& went, const Insta
   by_odometry_ = speaks;
   told_since_.reset();
   latest_.reset();
-  if (const auto there = by_odometry_at(now.ros, went); holds_any && there) {
-    const auto was_at = [&](double look) { return by_odometry_at(look, went); };
+  if (const auto there = by_odometry_at(now.ros, went, now); holds_any && there) {
+    const auto was_at = [&](double look) { return by_odometry_at(look, went, now); };
     out_of_sight_.go_on_in_frame(went.given.whereabouts_at(now.steady), *there, now.steady, was_at);
   } else {
     out_of_sight_.forget();
@@ -153,13 +154,29 @@ void GuardMemory::choose_whereabouts(double stamp, const Went& went, const Insta
 /// `age` [s] ago.
 std::optional<Whereabouts> GuardMemory::whereabouts_at(double age, const Went& went, const Instant& now) const {
   if (!by_odometry_) return went.given.whereabouts_at(now.steady - age);
-  return by_odometry_at(now.ros - age, went);
+  return by_odometry_at(now.ros - age, went, now);
 }
 
-std::optional<Whereabouts> GuardMemory::by_odometry_at(double stamp, const Went& went) const {
+std::optional<Whereabouts> GuardMemory::by_odometry_at(double stamp, const Went& went, const Instant& now) const {
   const auto pose = by_odometry_ ? went.odometry.pose_at(stamp) : std::nullopt;
   if (!pose) return std::nullopt;
-  return Whereabouts{*pose, {}, odometry_drift_, went.odometry.unexplained_until(stamp)};
+  return Whereabouts{*pose, {}, odometry_drift_, went.odometry.unexplained_until(stamp), foretold_at(stamp, went, now)};
+}
+
+/// Beyond what odometry has told so far it goes on by its latest twist, and the base by all that it was told meanwhile:
+/// who begins to turn, or ends, is elsewhere by then.
+Drift GuardMemory::foretold_at(double stamp, const Went& went, const Instant& now) {
+  const double told = went.odometry.spoke_until();
+  if (!(stamp - told > soon)) return {};
+  const auto by_command = [&](double moment) { return went.given.whereabouts_at(now.steady - (now.ros - moment)); };
+  const Pose2 way = between(*went.odometry.pose_at(told), *went.odometry.pose_at(stamp));
+  const Whereabouts before = by_command(told), there = by_command(stamp);
+  Drift most;
+  for (std::size_t i = 0; i < there.or_else.size(); ++i) {
+    const Pose2 off = between(way, between(before.or_else[i], there.or_else[i]));
+    most = {std::max(most.place, length_of(off.place)), std::max(most.heading, std::abs(off.heading))};
+  }
+  return most;
 }
 
 std::vector<KnownPlace> GuardMemory::resting(const Outlook& sensor, const Whereabouts& robot,

@@ -54,7 +54,7 @@ class GuardMemory {
   bool remembers() const { return out_of_sight_.remembers(); }
 
   /// Where the robot was at a stamp [s, ROS], by odometry; none: nobody knows.
-  std::optional<Whereabouts> by_odometry_at(double stamp, const Went& went) const;
+  std::optional<Whereabouts> by_odometry_at(double stamp, const Went& went, const Instant& now) const;
 
   /// What was seen to rest, as a sensor has it that looks from there.
   std::vector<KnownPlace> resting(const Outlook& sensor, const Whereabouts& robot, const Instant& now) const;
@@ -70,6 +70,7 @@ class GuardMemory {
   static double looks_since(const Went& went, const Instant& now);
   void go_on_as_told(const Instant& now);
   void choose_whereabouts(double stamp, const Went& went, const Instant& now);
+  static Drift foretold_at(double stamp, const Went& went, const Instant& now);
   Pose2 way_during(const Look& look, const Went& went, const Instant& now) const;
   std::optional<Whereabouts> whereabouts_at(double age, const Went& went, const Instant& now) const;
   bool waits_for(const std::vector<GuardSensor>& sensors) const;

@@ -130,13 +130,21 @@ std::optional<Twist2> Odometry::twist_at(double now) const {
   return is_fresh(now) ? std::optional(noted_.back().twist) : std::nullopt;
 }
 
+/// Of who tells no twists, the one that led to the latest pose.
+Pose2 Odometry::foretold(double time) const {
+  const Noted& last = noted_.back();
+  if (tells_twists_ || noted_.size() < 2) return beyond(last.pose, way_of(last.twist, time));
+  const Noted& before = noted_[noted_.size() - 2];
+  return beyond(last.pose, shared(between(before.pose, last.pose), time / (last.stamp - before.stamp)));
+}
+
 /// By the twist of the pose before.
 Pose2 Odometry::interpolated(double stamp) const {
   const auto after = std::upper_bound(noted_.begin(), noted_.end(), stamp,
                                       [](double moment, const Noted& noted) { return moment < noted.stamp; });
   const Noted& before = after == noted_.begin() ? *after : *std::prev(after);
-  if (after == noted_.end() || after == noted_.begin())
-    return beyond(before.pose, way_of(before.twist, stamp - before.stamp));
+  if (after == noted_.end()) return foretold(stamp - before.stamp);
+  if (after == noted_.begin()) return beyond(before.pose, way_of(before.twist, stamp - before.stamp));
   const double share = (stamp - before.stamp) / (after->stamp - before.stamp);
   const Pose2 way = between(before.pose, after->pose);
   return beyond(before.pose, {share * way.place, share * way.heading});

@@ -29,6 +29,9 @@ class Odometry {
   /// The pose at `stamp` [s, ROS time], at most a gap after the latest; none if that is not known.
   std::optional<Pose2> pose_at(double stamp) const;
 
+  /// The latest stamp [s, ROS time]; beyond that a pose is foretold. It has spoken.
+  double spoke_until() const { return noted_.back().stamp; }
+
   /// What no twist explains of the way until `stamp` [s, ROS time], since it goes on: too little for a jump, which may
   /// come again.
   Drift unexplained_until(double stamp) const;
@@ -62,6 +65,7 @@ class Odometry {
   bool is_known(const Noted& said) const;
   void forget();
   Pose2 interpolated(double stamp) const;
+  Pose2 foretold(double time) const;
 
   std::deque<Noted> noted_;
   std::size_t breaks_ = 0;

@@ -19,11 +19,12 @@ constexpr double kept_share = 0.75;           ///< of them where there are too m
 constexpr std::uint8_t believed = 2;          ///< looks that show a place, or what is behind it
 /// [m] Places are told apart by these; what may be off by more than the last is as the one that is off the most.
 constexpr std::array<double, 12> displaced = {0.015, 0.02, 0.03, 0.045, 0.07, 0.12, 0.2, 0.3, 0.45, 0.7, 1.0, 1.5};
-constexpr double well_known = 0.2;    ///< [m] what may be off by more explains nothing that is lost
-constexpr double absent_for = 1.25;   ///< [s] without a return where there would be one
-constexpr double rests_for = 0.3;     ///< [s] between two looks that show the same place
-constexpr double own_size = 0.01;     ///< [m] by which a return may lie beside the place of its cell
-constexpr double well_placed = 0.02;  ///< [m] odometry that drifted by no more has a place where it is
+constexpr double well_known = 0.2;      ///< [m] what may be off by more explains nothing that is lost
+constexpr double absent_for = 1.25;     ///< [s] without a return where there would be one
+constexpr double rests_for = 0.3;       ///< [s] between two looks that show the same place
+constexpr double own_size = 0.01;       ///< [m] by which a return may lie beside the place of its cell
+constexpr double well_placed = 0.02;    ///< [m] odometry that drifted by no more has a place where it is
+constexpr double most_foretold = 0.05;  ///< [m] what lies farther aside is not looked for
 
 std::uint64_t key_of(const Point2& place, double height) { return key_of_cell(place, cell, height, layer); }
 
@@ -41,7 +42,7 @@ void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& r
   std::optional<Extents> extents;
   if (!robot.or_else.empty()) extents.emplace(all);  // by odometry every place counts, however high
   for (const NearReturn& seen : all)
-    keep(seen, now, displacement(meanwhile, seen.range),
+    keep(seen, now, displacement(meanwhile, seen.range) + robot.foretold.at(seen.range),
          extents ? extents->around(seen) : Heights{seen.height, seen.height});
   drop_what_has_gone(look, seen_at, robot, now, meanwhile);
 }
@@ -122,17 +123,20 @@ void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, con
   };
   for (auto it = places_.begin(); it != places_.end();) {
     Place& place = it->second;
-    if (place.look == looks_.latest()) {
+    const Point2 here = seen_after({place.x, place.y});
+    const double range = length_of(here);
+    if (place.look == looks_.latest() || robot.foretold.at(range) > most_foretold) {
       ++it;
       continue;
     }
-    const Point2 here = seen_after({place.x, place.y});
-    const double range = length_of(here), by_way = way_since.beside(place.look, range);
-    const double by_look = displacement(meanwhile, range), drifted = way_since.off(place.look, range) - by_way;
+    const double by_way = way_since.beside(place.look, range);
+    const double by_look = displacement(meanwhile, range) + robot.foretold.at(range);
+    const double drifted = way_since.off(place.look, range) - by_way;
     const double by_drift = robot.or_else.empty() && drifted > well_placed ? drifted : 0.0;
     const double beside = place.off + by_way + by_look + by_drift, sideways = by_drift + (is_scan ? 0.0 : by_look);
     const Point there = from_camera(here, place.z);
-    const double aside = std::abs(meanwhile.heading) + length_of(meanwhile.place) / std::max(range, own_size);
+    const double aside = std::abs(meanwhile.heading) + robot.foretold.heading +
+                         (length_of(meanwhile.place) + robot.foretold.place) / std::max(range, own_size);
     AtPlace seen = seen_at(there, beside, aside);
     const auto ask_also_at = [&](const Point2& at) {
       if (seen != AtPlace::NotThere) seen = std::min(seen, seen_at(from_camera(at, place.z), beside, aside));
@@ -182,7 +186,7 @@ void OutOfSight::for_each(const Whereabouts& robot, double now, Visit visit) con
     if (!counts(place, now)) continue;
     const Point2 here = seen_after({place.x, place.y});
     const double range = length_of(here);
-    const double off = own_size + place.off + way_since.off(place.look, range);
+    const double off = own_size + place.off + way_since.off(place.look, range) + robot.foretold.at(range);
     visit(place, Here{here, range, off, *looks_.find(place.look)});
   }
 }
@@ -197,7 +201,8 @@ void OutOfSight::go_on_in_frame(const Whereabouts& robot, const Whereabouts& the
     const Point2 at = from.place + Turn(from.heading)(seen);
     Place moved = place;
     moved.x = at.x, moved.y = at.y;
-    moved.off = then ? place.off + drift_between(*then, there).at(here.range) : here.off - own_size;
+    moved.off = then ? place.off + drift_between(*then, there).at(here.range) + then->foretold.at(here.range)
+                     : here.off - own_size;
     places.emplace(key_of(at, place.z), moved);
   });
   places_ = std::move(places);

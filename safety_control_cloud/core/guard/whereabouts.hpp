@@ -22,6 +22,7 @@ struct Whereabouts {
   std::vector<Pose2> or_else = {};  ///< where it may be instead: the true one lies among all of them
   double drift = 0.0;               ///< [m/m], [rad/rad] by which the way there may be off
   Drift unexplained = {};           ///< of the way there, since some moment: what no motion explains
+  Drift foretold = {};              ///< by how much it may be elsewhere, since nobody has told of that moment yet
 };
 
 /// Of the way from one to the other.

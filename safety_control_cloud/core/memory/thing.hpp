@@ -30,7 +30,7 @@ struct Spot {
   float overhang = 0.0f;               ///< so much the thing recedes at once below it, or more [m]
   bool stands = false;                 ///< what is seen in this column reached down to the near floor
   bool foot_unseen = false;            ///< nothing farther away returned in this column below what is seen
-  bool hung_before = false;            ///< until something hid what is below it: it does not go with the rest of a thing
+  bool hung_before = false;            ///< until what is below it was hidden: it does not go with the rest of a thing
   std::optional<Axis> axis{};          ///< of the camera then; none: of the first that asks
   std::optional<double> lost_since{};  ///< [s] steady
 

@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "robot_with_odometry.hpp"
 
@@ -368,6 +372,49 @@ TEST(OutOfSight, WhatWasSeenBeforeOdometryIsAskedIsPlacedByItToo) {
   }
   EXPECT_GT(known.factor, 0.0);
   EXPECT_NEAR(reckoned.factor, known.factor, 0.02);
+}
+
+/// Turns from where it stands, before odometry tells of it that comes so late [s], and then wants to go to its right,
+/// where a post stands by then that was straight ahead.
+Guarded turned_away_from_a_post(double late, bool tells_twists) {
+  const double distance = 0.813, rate = 2.5, period = 0.05;
+  RobotWithOdometry robot;
+  robot.has_odometry = false;
+  std::vector<std::pair<Pose2, Twist2>> said;
+  const auto goes_on = [&](double turning) {
+    robot.twist = {0.0, 0.0, turning};
+    robot.pose.heading += period * turning;
+    said.emplace_back(robot.pose, robot.twist);
+    const auto ago = static_cast<std::size_t>(std::lround(late / period));
+    if (said.size() > ago) {
+      const auto& [pose, twist] = said[said.size() - 1 - ago];
+      robot.control.note_odometry(robot.now.ros + period - late, pose, tells_twists ? twist : Twist2{});
+    }
+    const double heading = robot.pose.heading;
+    robot.pass(period);
+    robot.see(Scene({post(static_cast<float>(distance * std::cos(heading) + 0.087),
+                          static_cast<float>(distance * std::sin(heading))),
+                     wall_before(2.5)}));
+    robot.wants({0.0, 0.0, turning});
+  };
+  for (int i = 0; i < 30; ++i) goes_on(0.0);
+  const double at_once = tells_twists ? rate : 10.0 * period;  // of who tells none, more is a jump
+  for (double turning = 0.0; robot.pose.heading < quarter; turning = std::min(rate, turning + at_once))
+    goes_on(turning);
+  for (int i = 0; i < 30; ++i) goes_on(0.0);
+  return robot.wants({0.0, -0.7, 0.0});
+}
+
+TEST(OutOfSight, WhatLeavesThePictureBeforeLateOdometryTellsOfTheTurnIsNotLost) {
+  const double on_time = turned_away_from_a_post(0.0, true).factor;
+  EXPECT_LT(on_time, 0.95);
+  for (const double late : {0.1, 0.15, 0.2}) {
+    for (const bool tells_twists : {true, false}) {
+      const Guarded answer = turned_away_from_a_post(late, tells_twists);
+      EXPECT_EQ(answer.sensor, "memory") << late << answer.reason;
+      EXPECT_LE(answer.factor, on_time) << late << (tells_twists ? "" : " without twists") << answer.reason;
+    }
+  }
 }
 
 /// Of which each by itself is no jump.
