@@ -12,6 +12,8 @@
 namespace safety_control_cloud {
 namespace {
 
+constexpr double least_answer_period = 0.01;  // [s]
+
 Settings checked(const Settings& settings) {
   const auto problems = problems_in(settings);
   std::string all;
@@ -75,6 +77,12 @@ double GuardControl::until_silent(double now) const {
   double soonest = std::numeric_limits<double>::infinity();
   for (const GuardSensor& sensor : sensors_) soonest = std::min(soonest, sensor.until_silent(now));
   return soonest;
+}
+
+double GuardControl::answer_period() const {
+  double least = std::min(1.0 / settings_.publish_rate, settings_.stopping.sensor_period);
+  for (const GuardSensor& sensor : sensors_) least = std::min(least, sensor.law().sensor_period);
+  return std::max(least_answer_period, least);
 }
 
 void GuardControl::see(const Reading& reading, const Origin& origin, const Instant& now, std::size_t sensor) {

@@ -88,6 +88,10 @@ class GuardControl {
   /// [s] until the next sensor counts as silent; infinite if none will.
   double until_silent(double now) const;
 
+  /// [s] after which there is to be a new answer, though nobody says anything: data grow older, and the law counts on
+  /// an answer no later than the next look, of what a sensor shows and of what its looks left behind.
+  double answer_period() const;
+
   const Settings& settings() const { return settings_; }
 
  private:

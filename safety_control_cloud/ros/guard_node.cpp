@@ -178,7 +178,7 @@ bool GuardNode::changes(const Guarded& answer) const {
 /// from when this one was given, for the process may have stood still since.
 void GuardNode::publish(const Guarded& answer) {
   const double until_silent = control_.until_silent(answered_at_.steady);
-  double due = period();
+  double due = control_.answer_period();
   for (const double change : {until_silent, answer.override_left})
     if (change > 0.0) due = std::min(due, change);
   quiet_.in(due);
@@ -187,12 +187,6 @@ void GuardNode::publish(const Guarded& answer) {
   reports_.say(answer, control_.settings(), header_);
   lost_things_.keep(answer.cause);
   said_cause_ = answer.cause;
-}
-
-/// [s] after which there is a new answer: data grow older, and the law counts on one that is no older than a cloud.
-double GuardNode::period() const {
-  const Settings& settings = control_.settings();
-  return std::max(0.01, std::min(1.0 / settings.publish_rate, settings.stopping.sensor_period));
 }
 
 }  // namespace safety_control_cloud

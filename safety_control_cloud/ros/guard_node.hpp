@@ -53,7 +53,6 @@ class GuardNode : public Node {
   const Guarded& answer();
   bool changes(const Guarded& answer) const;
   void publish(const Guarded& answer);
-  double period() const;
 
   Log log_;
   GuardControl control_;

@@ -127,6 +127,21 @@ TEST(GuardSensors, TheSoonestToBeSilentIsTold) {
   EXPECT_EQ(robot.wants({0.1, 0.0, 0.0}).cause, Cause::Silent);
 }
 
+TEST(GuardSensors, AnAnswerIsDueBeforeTheFastestWouldLookAgain) {
+  Settings settings = with_sensors();
+  settings.publish_rate = 5.0;
+  settings.stopping.sensor_period = 0.1;
+  EXPECT_NEAR(RobotWithSensors(settings).control.answer_period(), 0.1, 1e-9);
+  settings.sensors[rear].own["sensor_period"] = 0.03;
+  EXPECT_NEAR(RobotWithSensors(settings).control.answer_period(), 0.03, 1e-9);
+  settings.sensors[rear].own["sensor_period"] = 0.3;
+  EXPECT_NEAR(RobotWithSensors(settings).control.answer_period(), 0.1, 1e-9);
+  settings.publish_rate = 20.0;
+  EXPECT_NEAR(RobotWithSensors(settings).control.answer_period(), 0.05, 1e-9);
+  settings.sensors[rear].own["sensor_period"] = 0.0;
+  EXPECT_NEAR(RobotWithSensors(settings).control.answer_period(), 0.01, 1e-9) << "no more than a hundred a second";
+}
+
 TEST(GuardSensors, ALiveChangeHoldsForAllAndLeavesEachItsOwn) {
   RobotWithSensors robot;
   ASSERT_EQ(robot.drives({0.5, 0.0, 0.0}).factor, 1.0);
