@@ -161,17 +161,18 @@ class Finding {
 
   /// So much a pixel is before what is seen right below it, anywhere down to the thing's lowest in this slot [m].
   float overhang(Index i, Index lowest) const {
-    const float before = found_.ahead[i];
+    const float before = found_.ahead[i], least = before + least_overhang;
     float most = 0.0f, some = 0.0f;
     std::size_t goes_on = 0;
     for (std::size_t below = i + found_.slots; below <= lowest && most < clear_overhang; below += found_.slots) {
-      const float farther = found_.ahead[below] - before;
-      if (std::isnan(farther)) continue;
-      if (farther <= least_overhang || (goes_on == 0 && step_down_to(below, i) <= least_overhang)) {
-        goes_on = 0;
+      const float ahead = found_.ahead[below];
+      if (!(ahead > least)) {  // most of them
+        if (is_pixel(static_cast<Index>(below))) goes_on = 0;
         continue;
       }
-      some = goes_on == 0 ? std::min(farther, step_down_to(below, i)) : std::min(some, farther);
+      const float step = goes_on == 0 ? step_down_to(below, i) : clear_overhang;
+      if (step <= least_overhang) continue;
+      some = std::min({goes_on == 0 ? clear_overhang : some, step, ahead - before});
       if (++goes_on >= goes_on_lines) most = std::max(most, some);
     }
     return most;
