@@ -84,7 +84,7 @@ def test_what_a_robot_turned_away_from_outlives_the_node(master):
     with robot_that_turned_away_from_a_wall() as (robot, tf):
         robot.driver.say(twist(-0.5))
         robot.gives(remembers_the_wall)
-        time.sleep(0.6)  # in which it is written down once more
+        time.sleep(2.0)  # in which it is written down once more, though the machine be busy
         robot.process.send(signal.SIGKILL)
         robot.process.wait(5.0)
         before = len(robot.commands.all())
