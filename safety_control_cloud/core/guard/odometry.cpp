@@ -146,8 +146,7 @@ Pose2 Odometry::interpolated(double stamp) const {
   if (after == noted_.end()) return foretold(stamp - before.stamp);
   if (after == noted_.begin()) return beyond(before.pose, way_of(before.twist, stamp - before.stamp));
   const double share = (stamp - before.stamp) / (after->stamp - before.stamp);
-  const Pose2 way = between(before.pose, after->pose);
-  return beyond(before.pose, {share * way.place, share * way.heading});
+  return beyond(before.pose, shared(between(before.pose, after->pose), share));
 }
 
 }  // namespace safety_control_cloud

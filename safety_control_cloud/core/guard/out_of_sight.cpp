@@ -39,12 +39,13 @@ void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& r
   if (!seen_at.can_tell()) return;
   make_room(robot.pose.place);
   const std::vector<NearReturn> all = near_returns(look, limits_.vicinity, robot.pose, meanwhile);
+  const Drift by_look{length_of(meanwhile.place) + robot.foretold.place,
+                      std::abs(meanwhile.heading) + robot.foretold.heading};
   std::optional<Extents> extents;
   if (!robot.or_else.empty()) extents.emplace(all);  // by odometry every place counts, however high
   for (const NearReturn& seen : all)
-    keep(seen, now, displacement(meanwhile, seen.range) + robot.foretold.at(seen.range),
-         extents ? extents->around(seen) : Heights{seen.height, seen.height});
-  drop_what_has_gone(look, seen_at, robot, now, meanwhile);
+    keep(seen, now, by_look.at(seen.range), extents ? extents->around(seen) : Heights{seen.height, seen.height});
+  drop_what_has_gone(look, seen_at, robot, now, by_look);
 }
 
 void OutOfSight::note_unplaced(std::size_t sensor, double now) {
@@ -110,11 +111,12 @@ std::uint8_t OutOfSight::looks_of(const Place& before) const {
   return static_cast<std::uint8_t>(std::min<int>(looks, believed));
 }
 
+/// `by_look`: by how far the robot may have been elsewhere as the look was taken.
 /// Where nobody knows quite where the robot is, or was, only what would be shown wherever that is: `beside` tells how
 /// far off in depth, and places to both sides are asked about too. A scan is told by how much it lies `aside`. Of who
 /// has no odometry, or had none as that was seen, the ways that it may have gone tell.
 void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Whereabouts& robot, double now,
-                                    const Pose2& meanwhile) {
+                                    const Drift& by_look) {
   const SeenAfter seen_after(robot.pose);
   WaySince way_since(looks_, robot);
   const bool is_scan = std::holds_alternative<ScanView>(look.reading);
@@ -123,20 +125,23 @@ void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, con
   };
   for (auto it = places_.begin(); it != places_.end();) {
     Place& place = it->second;
-    const Point2 here = seen_after({place.x, place.y});
-    const double range = length_of(here);
-    if (place.look == looks_.latest() || robot.foretold.at(range) > most_foretold) {
+    if (place.look == looks_.latest()) {
       ++it;
       continue;
     }
-    const double by_way = way_since.beside(place.look, range);
-    const double by_look = displacement(meanwhile, range) + robot.foretold.at(range);
+    const Point2 here = seen_after({place.x, place.y});
+    const double range = length_of(here);
+    if (robot.foretold.at(range) > most_foretold) {
+      ++it;
+      continue;
+    }
+    const double by_way = way_since.beside(place.look, range), off_by_look = by_look.at(range);
     const double drifted = way_since.off(place.look, range) - by_way;
     const double by_drift = robot.or_else.empty() && drifted > well_placed ? drifted : 0.0;
-    const double beside = place.off + by_way + by_look + by_drift, sideways = by_drift + (is_scan ? 0.0 : by_look);
+    const double beside = place.off + by_way + off_by_look + by_drift;
+    const double sideways = by_drift + (is_scan ? 0.0 : off_by_look);
     const Point there = from_camera(here, place.z);
-    const double aside = std::abs(meanwhile.heading) + robot.foretold.heading +
-                         (length_of(meanwhile.place) + robot.foretold.place) / std::max(range, own_size);
+    const double aside = by_look.heading + by_look.place / std::max(range, own_size);
     AtPlace seen = seen_at(there, beside, aside);
     const auto ask_also_at = [&](const Point2& at) {
       if (seen != AtPlace::NotThere) seen = std::min(seen, seen_at(from_camera(at, place.z), beside, aside));

@@ -170,9 +170,11 @@ class Finding {
         if (is_pixel(static_cast<Index>(below))) goes_on = 0;
         continue;
       }
-      const float step = goes_on == 0 ? step_down_to(below, i) : clear_overhang;
-      if (step <= least_overhang) continue;
-      some = std::min({goes_on == 0 ? clear_overhang : some, step, ahead - before});
+      if (goes_on == 0) {
+        some = step_down_to(below, i);
+        if (some <= least_overhang) continue;
+      }
+      some = std::min(some, ahead - before);
       if (++goes_on >= goes_on_lines) most = std::max(most, some);
     }
     return most;
