@@ -38,6 +38,9 @@ struct Stretch {
   NearPixels::Index begin, end;
 };
 
+/// All of one thing, line by line.
+using Stretches = std::vector<Stretch>;
+
 inline std::size_t size_of(const Stretch& some) { return some.end - some.begin; }
 
 /// Which near pixels are one thing: they touch, and their ranges differ by no more than `jump` [m] from one to the
@@ -49,10 +52,12 @@ class Connected {
   Connected(const NearPixels& found, float jump);
 
   /// Those that are one, line by line; of these, by the first of each.
-  const std::vector<std::vector<Stretch>>& things() const { return things_; }
+  const std::vector<Stretches>& things() const { return things_; }
 
   /// Of each slot, on which sides its pixel touches others of its thing.
   const std::vector<std::uint32_t>& touched() const { return touched_; }
+
+  float jump() const { return jump_; }
 
  private:
   /// Pixels that return nothing, or are mixed of two ranges, do not part a thing: as many slots and lines.
@@ -80,7 +85,7 @@ class Connected {
   Union runs_;  ///< what is connected along a line is one, so that these are joined and not every pixel
   std::vector<Stretch> stretches_;      ///< of each run
   std::vector<std::uint32_t> touched_;  ///< of each slot, on which sides
-  std::vector<std::vector<Stretch>> things_;
+  std::vector<Stretches> things_;
   // Of each slot of a line.
   std::vector<int> back_;
   std::vector<std::uint8_t> begins_, up_;

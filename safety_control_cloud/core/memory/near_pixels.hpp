@@ -26,6 +26,7 @@ struct NearPixels {
   std::size_t line_of(Index i) const { return i / slots; }
   std::size_t slot_of(Index i) const { return i % slots; }
   std::size_t row_of(Index i) const { return rows[line_of(i)]; }
+  bool has_pixel(Index i) const { return ahead[i] == ahead[i]; }
 };
 
 NearPixels near_pixels(const NearSearch& search);

@@ -8,8 +8,10 @@
 #include <limits>
 
 #include "connected.hpp"
+#include "inner_pixels.hpp"
 #include "kernel/lines.hpp"
 #include "near_pixels.hpp"
+#include "overhang.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -24,18 +26,11 @@ constexpr float foremost = 0.02f;       // [m] behind the nearest
 constexpr std::size_t few_pixels = 9;   // three by three
 constexpr std::size_t few_of = 500;     // of a picture, one in so many are few too
 constexpr float border = 0.03f;         // [m] within the corridor's sides
-constexpr std::size_t thin_run = 4;     // successive pixels of a line: fewer are the corner of something, or noise
 constexpr double sparse_weight = 0.25;  // [m2] as of a pixel half a metre away
-
-/// What recedes within as many lines, from one down to the other, and goes on there, is overhung. Less than this [m] is
-/// noise, or a thing that leans; where it is as much as `clear_overhang`, how much does not matter.
-constexpr float least_overhang = 0.01f;
-constexpr std::size_t overhung_lines = 3, goes_on_lines = 2;
 
 std::size_t few_in(const Pixels& picture) { return std::max(few_pixels, picture.width() * picture.height() / few_of); }
 
 using Index = NearPixels::Index;
-using Stretches = std::vector<Stretch>;
 
 class Finding {
  public:
@@ -52,7 +47,6 @@ class Finding {
   }
 
  private:
-  bool is_pixel(Index i) const { return found_.ahead[i] == found_.ahead[i]; }
   lines::SomeSlots slots_of(const Stretch& some) const {
     return {found_.ahead.data() + some.begin, found_.x.data() + some.begin, found_.y.data() + some.begin,
             size_of(some)};
@@ -73,7 +67,7 @@ class Finding {
   /// A few pixels are told from noise by those around them, of which the search has left some out.
   bool is_enough(const Stretches& all, std::size_t pixels) const {
     if (pixels >= search_.least_pixels) return true;
-    for (const Index i : pixels_of(all)) pixels = std::max<std::size_t>(pixels, around(i, jump));
+    for (const Index i : pixels_of(found_, all)) pixels = std::max<std::size_t>(pixels, around(i, jump));
     return pixels >= search_.least_pixels;
   }
 
@@ -124,8 +118,8 @@ class Finding {
   /// Spread over its inner pixels, if it has any, and those of parts too thin to have any; and, if that leaves fewer to
   /// what is foremost, over that by itself. Each stands for as much of the thing as the pixels over which it is spread.
   std::vector<Spot> spots_of(const Stretches& all, const Thing& thing, const std::vector<Index>& lowest) const {
-    auto chosen = inner_and_thin(all);
-    if (chosen.empty()) chosen = pixels_of(all);
+    auto chosen = inner_and_thin(found_, connected_, all);
+    if (chosen.empty()) chosen = pixels_of(found_, all);
     const auto is_foremost = [&](Index i) { return found_.ahead[i] < thing.nearest + foremost; };
     std::vector<Index> places = spread(chosen, 1 + chosen.size() / most_spots), front;
     if (static_cast<std::size_t>(std::count_if(places.begin(), places.end(), is_foremost)) < foremost_spots) {
@@ -138,7 +132,7 @@ class Finding {
     const auto add = [&](const std::vector<Index>& some, std::size_t pixels) {
       for (const Index i : some) {
         spots.push_back(spot_at(i));
-        spots.back().overhang = overhang(i, lowest[found_.slot_of(i)]);
+        spots.back().overhang = overhang(found_, i, lowest[found_.slot_of(i)]);
         spots.back().share = static_cast<float>(share * static_cast<double>(pixels) / static_cast<double>(some.size()));
       }
     };
@@ -159,94 +153,6 @@ class Finding {
     return some;
   }
 
-  /// So much a pixel is before what is seen right below it, anywhere down to the thing's lowest in this slot [m].
-  float overhang(Index i, Index lowest) const {
-    const float before = found_.ahead[i], least = before + least_overhang;
-    float most = 0.0f, some = 0.0f;
-    std::size_t goes_on = 0;
-    for (std::size_t below = i + found_.slots; below <= lowest && most < clear_overhang; below += found_.slots) {
-      const float ahead = found_.ahead[below];
-      if (!(ahead > least)) {  // most of them
-        if (is_pixel(static_cast<Index>(below))) goes_on = 0;
-        continue;
-      }
-      if (goes_on == 0) {
-        some = step_down_to(below, i);
-        if (some <= least_overhang) continue;
-      }
-      some = std::min(some, ahead - before);
-      if (++goes_on >= goes_on_lines) most = std::max(most, some);
-    }
-    return most;
-  }
-
-  /// By how much a pixel is farther away than the nearest of those right above it, down from `top` [m].
-  float step_down_to(std::size_t at, std::size_t top) const {
-    const std::size_t slots = found_.slots;
-    float step = 0.0f;
-    for (std::size_t up = 1; up <= overhung_lines && at >= top + up * slots; ++up)
-      step = std::fmax(step, found_.ahead[at] - found_.ahead[at - up * slots]);
-    return step;
-  }
-
-  /// None if none is inner. A rail that is joined to a leg is thin, and may be lost while the leg is seen to go.
-  std::vector<Index> inner_and_thin(const Stretches& all) const {
-    std::size_t most = 0, size = 0;
-    for (const Stretch& some : all) most += size_of(some);
-    std::vector<Index> inner(most + lines::longest_vector), thin;
-    for (const Stretch& some : all) {
-      const std::size_t found =
-          lines::list_inner(connected_.touched().data(), some.begin, some.end, inner.data() + size);
-      if (size_of(some) >= found + thin_run) add_thin(some, thin);
-      size += found;
-    }
-    inner.resize(size);
-    if (inner.empty() || thin.empty()) return inner;
-    std::vector<Index> both;
-    both.reserve(inner.size() + thin.size());
-    std::merge(inner.begin(), inner.end(), thin.begin(), thin.end(), std::back_inserter(both));
-    return both;
-  }
-
-  void add_thin(const Stretch& some, std::vector<Index>& to) const {
-    std::size_t run = 0;
-    const auto end_run = [&] {
-      if (run < thin_run) to.resize(to.size() - run);
-      run = 0;
-    };
-    for (Index i = some.begin; i < some.end; ++i) {
-      if (!is_pixel(i)) continue;
-      if (is_inner(i) || is_beside_inner(i)) {
-        end_run();
-      } else {
-        to.push_back(i);
-        ++run;
-      }
-    }
-    end_run();
-  }
-
-  bool is_inner(Index i) const { return connected_.touched()[i] == lines::AllSides; }
-
-  bool is_beside_inner(Index i) const {
-    const std::size_t line = found_.line_of(i), slot = found_.slot_of(i);
-    for (std::size_t l = line - std::min<std::size_t>(1, line); l < std::min(line + 2, found_.rows.size()); ++l) {
-      for (std::size_t s = slot - std::min<std::size_t>(1, slot); s < std::min(slot + 2, found_.slots); ++s) {
-        const auto other = static_cast<Index>(l * found_.slots + s);
-        if (is_inner(other) && std::abs(found_.ahead[other] - found_.ahead[i]) <= jump) return true;
-      }
-    }
-    return false;
-  }
-
-  std::vector<Index> pixels_of(const Stretches& all) const {
-    std::vector<Index> pixels;
-    for (const Stretch& some : all)
-      for (Index i = some.begin; i < some.end; ++i)
-        if (is_pixel(i)) pixels.push_back(i);
-    return pixels;
-  }
-
   Spot spot_at(Index i) const {
     Spot spot;
     spot.row = static_cast<std::uint16_t>(found_.row_of(i)), spot.column = found_.column[i];
@@ -259,7 +165,7 @@ class Finding {
 
   bool is_at_border_of_picture(const Stretch& some) const {
     const std::size_t row = found_.row_of(some.begin), first = found_.slot_of(some.begin);
-    const bool is_at_right = first + size_of(some) == found_.slots && is_pixel(some.end - 1);
+    const bool is_at_right = first + size_of(some) == found_.slots && found_.has_pixel(some.end - 1);
     return row <= found_.row_step || first == 0 || is_at_right || row + found_.row_step + 1 >= search_.picture.height();
   }
 

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "../../../safety_control_cloud/core/look/kernel/scan.hpp"
+#include "../../../safety_control_cloud/core/memory/inner_pixels.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -21,15 +22,6 @@ constexpr float jump = 0.06f;
 
 using Index = NearPixels::Index;
 using Members = std::vector<Index>;
-
-/// The slots in which there is a pixel.
-Members pixels_in(const NearPixels& found, const std::vector<Stretch>& stretches) {
-  Members pixels;
-  for (const Stretch& some : stretches)
-    for (Index i = some.begin; i < some.end; ++i)
-      if (!std::isnan(found.ahead[i])) pixels.push_back(i);
-  return pixels;
-}
 
 /// Pixel by pixel, as it is said.
 struct Singly {
@@ -115,7 +107,7 @@ TEST_P(Connects, ThePixelsThatAreOnePixelByPixel) {
       if (!std::isnan(found.ahead[i])) things[expected.thing[i]].push_back(i);
     ASSERT_EQ(connected.things().size(), things.size()) << times;
     auto thing = connected.things().begin();
-    for (const auto& [first, members] : things) ASSERT_EQ(pixels_in(found, *thing++), members) << times;
+    for (const auto& [first, members] : things) ASSERT_EQ(pixels_of(found, *thing++), members) << times;
     for (Index i = 0; i < expected.sides.size(); ++i) {
       ASSERT_EQ(connected.touched()[i] == lines::AllSides, expected.sides[i].size() == 4) << times;
       inner += expected.sides[i].size() == 4;
