@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <memory>
 
 #include "kernel/lines.hpp"
 
@@ -27,19 +28,37 @@ bool is_beside_inner(const NearPixels& found, const Connected& connected, Index 
   return false;
 }
 
-void add_thin(const NearPixels& found, const Connected& connected, const Stretch& some, std::vector<Index>& to) {
+/// Of successive pixels none of which is inner, those that do not border on inner ones either.
+void add_far_from_inner(const NearPixels& found, const Connected& connected, const std::vector<Index>& pixels,
+                        std::vector<Index>& to) {
   std::size_t run = 0;
   const auto end_run = [&] {
     if (run < thin_run) to.resize(to.size() - run);
     run = 0;
   };
-  for (Index i = some.begin; i < some.end; ++i) {
-    if (!found.has_pixel(i)) continue;
-    if (is_inner(connected, i) || is_beside_inner(found, connected, i)) {
+  for (const Index i : pixels) {
+    if (is_beside_inner(found, connected, i)) {
       end_run();
     } else {
       to.push_back(i);
       ++run;
+    }
+  }
+  end_run();
+}
+
+void add_thin(const NearPixels& found, const Connected& connected, const Stretch& some, std::vector<Index>& to) {
+  std::vector<Index> run;  // of pixels that are not inner: most are too short to be looked around
+  const auto end_run = [&] {
+    if (run.size() >= thin_run) add_far_from_inner(found, connected, run, to);
+    run.clear();
+  };
+  for (Index i = some.begin; i < some.end; ++i) {
+    if (!found.has_pixel(i)) continue;
+    if (is_inner(connected, i)) {
+      end_run();
+    } else {
+      run.push_back(i);
     }
   }
   end_run();
@@ -58,14 +77,15 @@ std::vector<Index> pixels_of(const NearPixels& found, const Stretches& all) {
 std::vector<Index> inner_and_thin(const NearPixels& found, const Connected& connected, const Stretches& all) {
   std::size_t most = 0, size = 0;
   for (const Stretch& some : all) most += size_of(some);
-  std::vector<Index> inner(most + lines::longest_vector), thin;
+  const std::unique_ptr<Index[]> listed(new Index[most + lines::longest_vector]);
+  std::vector<Index> thin;
   for (const Stretch& some : all) {
     const std::size_t some_inner =
-        lines::list_inner(connected.touched().data(), some.begin, some.end, inner.data() + size);
+        lines::list_inner(connected.touched().data(), some.begin, some.end, listed.get() + size);
     if (size_of(some) >= some_inner + thin_run) add_thin(found, connected, some, thin);
     size += some_inner;
   }
-  inner.resize(size);
+  std::vector<Index> inner(listed.get(), listed.get() + size);
   if (inner.empty() || thin.empty()) return inner;
   std::vector<Index> both;
   both.reserve(inner.size() + thin.size());

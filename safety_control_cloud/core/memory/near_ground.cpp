@@ -16,20 +16,14 @@ constexpr std::size_t probe = 4;
 /// Whether it shows any near ground.
 bool NearGround::read_row(const Pixels& picture, const Outlook& outlook, float distance, std::size_t number,
                           Columns which) {
-  picture.read(picture_row(number), (which == Columns::All ? 1 : probe) * column_step_, outlook, read_);
-  const std::size_t size = read_.z.size();
-  codes_read_.resize(size);
-  Code* const read = codes_read_.data();
-  const int highest = lines::find_ground(read_.pixels(), {outlook.corridor, outlook.camera(), distance}, read);
-  Code* const codes = row(number);
-  if (which == Columns::All) {
-    std::copy(read, read + size, codes);
-    const float from = outlook.camera().z;
-    std::transform(read_.z.begin(), read_.z.end(), ahead_.begin() + static_cast<std::ptrdiff_t>(number * columns_),
-                   [from](float z) { return z - from; });
-  } else {
-    for (std::size_t i = 0; i < columns_; ++i) codes[i] = read[i / probe];
-  }
+  const bool all = which == Columns::All;
+  picture.read(picture_row(number), (all ? 1 : probe) * column_step_, outlook, read_);
+  codes_read_.resize(columns_);
+  Code* const read = all ? row(number) : codes_read_.data();
+  const int highest = lines::find_ground(read_.pixels(), {outlook.corridor, outlook.camera(), distance}, read,
+                                         ahead_.data() + number * columns_);
+  if (!all)
+    for (std::size_t i = 0; i < columns_; ++i) row(number)[i] = read[i / probe];
   shows_[number] = highest >= lines::LeastGround;
   return shows_[number];
 }

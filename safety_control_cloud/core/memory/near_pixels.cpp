@@ -22,6 +22,8 @@ class Lines {
   explicit Lines(const NearSearch& search) : search_(search), camera_(search.outlook.camera()) {
     found_.column_step = std::max<std::size_t>(1, search.picture.width() / most_slots);
     found_.slots = (search.picture.width() + found_.column_step - 1) / found_.column_step;
+    columns_.resize(found_.slots);
+    for (std::size_t i = 0; i < found_.slots; ++i) columns_[i] = static_cast<std::uint16_t>(i * found_.column_step);
   }
 
   NearPixels all() {
@@ -29,6 +31,7 @@ class Lines {
     const std::size_t near_rows = static_cast<std::size_t>(
         std::count_if(nearest.begin(), nearest.end(), [this](float z) { return is_near(z - camera_.z); }));
     found_.row_step = std::max<std::size_t>(1, near_rows / enough_rows);
+    reserve(std::min(near_rows, 2 * enough_rows));
     std::size_t since = found_.row_step;
     float last = 0.0f;
     for (std::size_t row = 0; row < nearest.size(); ++row, ++since) {
@@ -48,8 +51,7 @@ class Lines {
   void take(std::size_t row) {
     const std::size_t line = found_.ahead.size();
     resize(line + found_.slots);
-    std::uint16_t* const column = found_.column.data() + line;
-    for (std::size_t i = 0; i < found_.slots; ++i) column[i] = static_cast<std::uint16_t>(i * found_.column_step);
+    std::copy(columns_.begin(), columns_.end(), found_.column.begin() + static_cast<std::ptrdiff_t>(line));
     float nearest = look(row, found_.column_step, found_.ahead.data() + line);
     std::copy(places_.x.begin(), places_.x.end(), found_.x.begin() + static_cast<std::ptrdiff_t>(line));
     std::copy(places_.y.begin(), places_.y.end(), found_.y.begin() + static_cast<std::ptrdiff_t>(line));
@@ -59,6 +61,12 @@ class Lines {
     } else {
       resize(line);
     }
+  }
+
+  void reserve(std::size_t rows) {
+    for (auto* values : {&found_.ahead, &found_.x, &found_.y}) values->reserve(rows * found_.slots);
+    found_.column.reserve(rows * found_.slots);
+    found_.rows.reserve(rows);
   }
 
   void resize(std::size_t size) {
@@ -90,8 +98,9 @@ class Lines {
 
   const NearSearch& search_;
   const Point camera_;
-  PixelRow places_;           ///< of one row
-  std::vector<float> ahead_;  ///< of a whole one
+  PixelRow places_;                     ///< of one row
+  std::vector<float> ahead_;            ///< of a whole one
+  std::vector<std::uint16_t> columns_;  ///< of the slots of a line
   NearPixels found_;
 };
 

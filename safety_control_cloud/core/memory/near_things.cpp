@@ -146,9 +146,11 @@ class Finding {
     std::vector<Index> some;
     some.reserve(pixels.size() / step + 1);
     double golden = 0.5;  // of each step: at its middle every time, they might all lie in one column
-    for (std::size_t i = 0; i < pixels.size(); i += step, golden = std::fmod(golden + 0.618034, 1.0)) {
+    for (std::size_t i = 0; i < pixels.size(); i += step) {
       const std::size_t at = i + static_cast<std::size_t>(golden * static_cast<double>(step));
       if (at < pixels.size()) some.push_back(pixels[at]);
+      golden += 0.618034;
+      if (golden >= 1.0) golden -= 1.0;
     }
     return some;
   }

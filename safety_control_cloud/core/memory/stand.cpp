@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "evidence.hpp"
 
@@ -35,49 +36,59 @@ class ColumnBelow {
         picture_(picture),
         outlook_(outlook),
         column_(ground.column_at(foot.column)),
-        most_blank_(std::max<std::size_t>(1, picture.height() / ground.row_step() / blank_share)) {}
+        most_blank_(std::max<std::size_t>(1, picture.height() / ground.row_step() / blank_share)),
+        noise_(noise_at(foot.ahead)) {}
 
   Stand stand() const {
     std::size_t lowest = (picture_.height() - 1 - foot_.row) / ground_.row_step();
-    auto other = surface_below(lowest);
+    const auto surface = surface_below(lowest);
+    auto other = surface ? std::optional<Seen>(seen_in(*surface)) : std::nullopt;
     if (!other || is_near(*other)) {
       lowest = lowest_from(lowest);
-      if (other && *other >= lowest) other.reset();
+      if (other && *surface >= lowest) other.reset();
     }
-    if (!other) other = others_below(lowest);
+    const auto below = other ? std::vector<Seen>() : seen_below(lowest);
+    if (!other) other = other_in(below);
     // What reaches the floor below its foot is another thing.
     if (other) return is_near(*other) || is_farther(*other) ? Stand::Hangs : Stand::Unseen;
-    return stand_on_ground(lowest);
+    return stand_on_ground(below, lowest);
   }
 
  private:
-  Point at(std::size_t i) const { return picture_.at(ground_.picture_row(i), ground_.picture_column(column_)); }
-  float ahead_of(const Point& place) const { return place.z - outlook_.camera().z; }
-  /// [m] Above the ground, only some of the columns have been read.
-  float ahead_in(std::size_t i) const {
-    return ground_.shows_ground(i) ? ground_.ahead(i)[column_] : ahead_of(placed(at(i), outlook_));
+  struct Seen {
+    Code code;
+    float ahead;  ///< [m]
+  };
+  static bool is_near(const Seen& seen) { return seen.code == NearGround::near; }
+
+  /// Above the ground, only some of the columns have been read.
+  Seen seen_in(std::size_t i) const {
+    if (ground_.shows_ground(i)) return {ground_.row(i)[column_], ground_.ahead(i)[column_]};
+    const Point place = placed(picture_.at(ground_.picture_row(i), ground_.picture_column(column_)), outlook_);
+    const float ahead = place.z - outlook_.camera().z;
+    if (!returned(place)) return {NearGround::nothing, ahead};
+    return {outlook_.corridor.holds(place) && ahead < ground_.distance() ? NearGround::near : NearGround::elsewhere,
+            ahead};
   }
 
-  Code code_in(std::size_t i) const {
-    if (ground_.shows_ground(i)) return ground_.row(i)[column_];
-    const Point place = placed(at(i), outlook_);
-    if (!returned(place)) return NearGround::nothing;
-    const bool is_near = outlook_.corridor.holds(place) && ahead_of(place) < ground_.distance();
-    return is_near ? NearGround::near : NearGround::elsewhere;
+  std::vector<Seen> seen_below(std::size_t lowest) const {
+    std::vector<Seen> below(std::min(lowest, ground_.rows()));
+    for (std::size_t i = 0; i < below.size(); ++i) below[i] = seen_in(i);
+    return below;
   }
-  bool is_near(std::size_t i) const { return code_in(i) == NearGround::near; }
 
-  /// Whether what is seen there may be the thing that has this foot.
-  bool is_of_thing(std::size_t i) const { return std::abs(ahead_in(i) - foot_.ahead) <= noise_at(foot_.ahead); }
-  bool is_farther(std::size_t i) const { return !(ahead_in(i) <= foot_.ahead + noise_at(foot_.ahead)); }
+  /// Whether what is seen may be the thing that has this foot.
+  bool is_of_thing(const Seen& seen) const { return std::abs(seen.ahead - foot_.ahead) <= noise_; }
+  bool is_farther(const Seen& seen) const { return !(seen.ahead <= foot_.ahead + noise_); }
 
   /// The lowest row in which the thing is seen, from that of its foot down. Its border, if it is about to be too near,
   /// returns here and there alone.
   std::size_t lowest_from(std::size_t lowest) const {
     std::size_t others = 0;
     for (std::size_t i = lowest; i-- > 0 && lowest - i <= most_blank_ + 1 && others < no_strays;) {
-      const bool same = is_of_thing(i);
-      others = same || std::isnan(ahead_in(i)) ? 0 : others + 1;
+      const Seen seen = seen_in(i);
+      const bool same = is_of_thing(seen);
+      others = same || seen.code == NearGround::nothing ? 0 : others + 1;
       if (same) lowest = i;
     }
     return lowest;
@@ -91,35 +102,33 @@ class ColumnBelow {
       const Code code = ground_.row(i)[column_];
       adjacent = code == NearGround::elsewhere || code == NearGround::near ? adjacent + 1 : 0;
       if (adjacent < no_strays) continue;
-      const float ahead = ahead_in(i), before = ahead_in(i - 1);
+      const float ahead = seen_in(i).ahead, before = seen_in(i - 1).ahead;
       if (std::abs(ahead - before) <= agreement * std::min(ahead, before)) return i;
     }
     return std::nullopt;
   }
 
-  /// Where nothing goes on, but much of what is below `lowest` returns something else than the ground, such a row.
-  std::optional<std::size_t> others_below(std::size_t lowest) const {
+  /// Where nothing goes on, but much of what is below the thing returns something else than the ground, one of these.
+  std::optional<Seen> other_in(const std::vector<Seen>& below) const {
     std::size_t blank = 0, others = 0;
-    std::optional<std::size_t> other;
-    for (std::size_t i = 0; i < std::min(lowest, ground_.rows()); ++i) {
-      const Code code = code_in(i);
-      blank += code == NearGround::nothing;
-      const bool is_other = code == NearGround::elsewhere || (code == NearGround::near && !is_of_thing(i));
+    std::optional<Seen> other;
+    for (const Seen& seen : below) {
+      blank += seen.code == NearGround::nothing;
+      const bool is_other = seen.code == NearGround::elsewhere || (is_near(seen) && !is_of_thing(seen));
       others += is_other;
-      if (is_other) other = i;
+      if (is_other) other = seen;
     }
     return 2 * others > blank ? other : std::nullopt;
   }
 
   /// Of a thing below which nothing else is seen.
-  Stand stand_on_ground(std::size_t lowest) const {
+  Stand stand_on_ground(const std::vector<Seen>& below, std::size_t lowest) const {
     std::size_t blank = 0;
     bool gap = false;
-    std::optional<std::size_t> farthest;  // ground
-    for (std::size_t i = 0; i < std::min(lowest, ground_.rows()); ++i) {
-      const Code code = code_in(i);
-      if (code >= 0) farthest = i;
-      blank = code >= 0 || code == NearGround::near ? 0 : blank + 1;
+    std::optional<Seen> farthest;  // ground
+    for (const Seen& seen : below) {
+      if (seen.code >= 0) farthest = seen;
+      blank = seen.code >= 0 || is_near(seen) ? 0 : blank + 1;
       gap = gap || blank > most_blank_;
     }
     if (!gap && lowest < ground_.rows()) return Stand::Stands;
@@ -131,6 +140,7 @@ class ColumnBelow {
   const Pixels& picture_;
   const Outlook& outlook_;
   const std::size_t column_, most_blank_;
+  const float noise_;  ///< [m]
 };
 
 /// How a thing with its foot here stands on the floor. One that ends with the picture does, though it be so thin that

@@ -104,8 +104,9 @@ TEST_P(Lines, FindNearGroundByItsMillimetres) {
     const Row seen = placed_row();
     const Surrounding around = surrounding();
     std::vector<std::int16_t> ground(seen.z.size());
+    std::vector<float> ahead_of_camera(seen.z.size());
     int expected_greatest = ReturnsNothing;
-    const int greatest = find_ground(seen.pixels(), around, ground.data());
+    const int greatest = find_ground(seen.pixels(), around, ground.data(), ahead_of_camera.data());
     for (std::size_t j = 0; j < ground.size(); ++j) {
       int expected = ReturnsNothing;
       if (!std::isnan(seen.z[j])) {
@@ -117,6 +118,7 @@ TEST_P(Lines, FindNearGroundByItsMillimetres) {
                                                                          : static_cast<int>(0.5f + 1000.0f * below);
       }
       ASSERT_EQ(ground[j], expected);
+      ASSERT_TRUE(same(ahead_of_camera[j], seen.z[j] - around.camera.z));
       expected_greatest = std::max(expected_greatest, expected);
     }
     ASSERT_EQ(greatest, expected_greatest);

@@ -42,9 +42,9 @@ struct Gathering {
   HWY_INLINE void note_placed(const Points& placed, Mask returning) {
     const Mask within = hn::And(returning, bounds.hold(placed));
     if (hn::AllFalse(Floats(), within)) return;
-    hn::CompressStore(placed.x, within, Floats(), found->x.data() + size);
-    hn::CompressStore(placed.y, within, Floats(), found->y.data() + size);
-    size += hn::CompressStore(placed.z, within, Floats(), found->z.data() + size);
+    list_lanes(placed.x, within, Floats(), found->x.data() + size);
+    list_lanes(placed.y, within, Floats(), found->y.data() + size);
+    size += list_lanes(placed.z, within, Floats(), found->z.data() + size);
   }
 };
 

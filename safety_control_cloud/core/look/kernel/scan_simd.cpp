@@ -103,7 +103,7 @@ struct Listing {
     if (hn::AllFalse(Floats(), inside)) return;  // most of most clouds
     const Integer columns = hn::Iota(Integers(), static_cast<std::uint32_t>(column));
     std::uint32_t* end = found->columns.data() + found->size;
-    found->size += hn::CompressStore(columns, hn::RebindMask(Integers(), inside), Integers(), end);
+    found->size += list_lanes(columns, hn::RebindMask(Integers(), inside), Integers(), end);
   }
 };
 

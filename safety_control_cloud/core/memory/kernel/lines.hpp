@@ -43,8 +43,8 @@ enum Ground : std::int16_t {
   LeastGround = 0,        ///< from here on, near ground as many [mm] below the camera
 };
 
-/// Of each of the pixels; the greatest.
-int find_ground(const PixelsOfRow& pixels, const Surrounding& around, std::int16_t* ground);
+/// Of each of the pixels; the greatest. And how far ahead of the camera each of them is, whatever it is [m].
+int find_ground(const PixelsOfRow& pixels, const Surrounding& around, std::int16_t* ground, float* ahead);
 
 /// A line of slots, and two more to each side in which there is no pixel.
 struct LineOfSlots {

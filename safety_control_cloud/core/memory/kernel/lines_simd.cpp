@@ -64,7 +64,7 @@ float find_near(const PixelsOfRow& pixels, const Surrounding& around, float* ahe
   return least_of(ahead, pixels.size);
 }
 
-int find_ground(const PixelsOfRow& pixels, const Surrounding& around, std::int16_t* ground) {
+int find_ground(const PixelsOfRow& pixels, const Surrounding& around, std::int16_t* ground, float* ahead) {
   const float *const x = pixels.x, *const y = pixels.y, *const z = pixels.z;
   const float left = around.corridor.x_min, right = around.corridor.x_max;
   const float top = around.corridor.y_min, bottom = around.corridor.y_max;
@@ -73,10 +73,11 @@ int find_ground(const PixelsOfRow& pixels, const Surrounding& around, std::int16
   for (std::size_t i = 0; i < pixels.size; ++i) {
     const float below = y[i] - camera_y, positive = below > 0.0f ? below : 0.0f;
     const auto millimetres = static_cast<int>(0.5f + 1000.0f * (positive < 30.0f ? positive : 30.0f));
-    const bool ahead = (z[i] - camera_z < distance) & (z[i] > 0.0f);
+    ahead[i] = z[i] - camera_z;
+    const bool near = (ahead[i] < distance) & (z[i] > 0.0f);
     const bool inside = (x[i] >= left) & (x[i] <= right) & (y[i] >= top);
     const int here = y[i] <= bottom ? int{ReturnsNear} : millimetres;
-    const int shown = ahead & inside ? here : int{ReturnsElsewhere};
+    const int shown = near & inside ? here : int{ReturnsElsewhere};
     const int code = z[i] == z[i] ? shown : int{ReturnsNothing};
     ground[i] = static_cast<std::int16_t>(code);
     greatest = greatest > code ? greatest : code;
@@ -187,7 +188,8 @@ std::size_t list_inner(const std::uint32_t* touched, std::uint32_t begin, std::u
   std::uint32_t i = begin;
   for (; i + lanes <= end; i += static_cast<std::uint32_t>(lanes)) {
     const auto is_inner = hn::Eq(hn::LoadU(tag, touched + i), hn::Set(tag, std::uint32_t{AllSides}));
-    size += hn::CompressStore(hn::Iota(tag, i), is_inner, tag, inner + size);
+    hn::StoreU(hn::Compress(hn::Iota(tag, i), is_inner), tag, inner + size);  // CompressStore is slow on Zen 4
+    size += hn::CountTrue(tag, is_inner);
   }
   for (; i < end; ++i) {
     inner[size] = i;
@@ -223,8 +225,8 @@ float find_near(const PixelsOfRow& pixels, const Surrounding& around, float* ahe
   return HWY_DYNAMIC_DISPATCH(find_near)(pixels, around, ahead);
 }
 
-int find_ground(const PixelsOfRow& pixels, const Surrounding& around, std::int16_t* ground) {
-  return HWY_DYNAMIC_DISPATCH(find_ground)(pixels, around, ground);
+int find_ground(const PixelsOfRow& pixels, const Surrounding& around, std::int16_t* ground, float* ahead) {
+  return HWY_DYNAMIC_DISPATCH(find_ground)(pixels, around, ground, ahead);
 }
 
 void go_on_along(const LineOfSlots& line, std::size_t slots, float jump, int* back, std::uint8_t* begins,

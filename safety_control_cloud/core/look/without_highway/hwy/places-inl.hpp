@@ -122,14 +122,22 @@ HWY_INLINE Vec<Tag> PromoteTo(Tag, Vec<Rebind<std::uint16_t, Tag>> halves) {
 #endif
 }
 
-/// Writes the lanes whose mask is set one behind the other, and behind them whatever; returns how many they are.
-template <class M, class Tag>
-HWY_INLINE std::size_t CompressStore(Vec<Tag> v, M mask, Tag, LaneOf<Tag>* to) {
-  std::size_t size = 0;
-  for (std::size_t i = 0; i < Tag::lanes; ++i) {
-    to[size] = v[i];
+/// The lanes whose mask is set one behind the other, and behind them whatever.
+template <class V, class M>
+HWY_INLINE V Compress(V v, M mask) {
+  constexpr std::size_t lanes = sizeof(V) / sizeof(v[0]);
+  V listed{};
+  for (std::size_t i = 0, size = 0; i < lanes; ++i) {
+    listed[size] = v[i];
     size += mask[i] != 0;
   }
+  return listed;
+}
+
+template <class Tag, class M>
+HWY_INLINE std::size_t CountTrue(Tag, M mask) {
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < Tag::lanes; ++i) size += mask[i] != 0;
   return size;
 }
 
