@@ -9,10 +9,12 @@ import yaml
 
 LAUNCH = Path(__file__).resolve().parent.parent / "safety_control_cloud" / "launch"
 
+FILES = sorted(path.name for path in LAUNCH.glob("safety_control*.launch"))
+
 pytestmark = pytest.mark.skipif(shutil.which("roslaunch") is None, reason="roslaunch is not installed")
 
 
-@pytest.mark.parametrize("file", sorted(path.name for path in LAUNCH.glob("safety_control*.launch")))
+@pytest.mark.parametrize("file", FILES)
 def test_a_copy_elsewhere_starts_the_same(file, tmp_path):
     shutil.copy(LAUNCH / file, tmp_path / file)
     told = [
@@ -21,3 +23,14 @@ def test_a_copy_elsewhere_starts_the_same(file, tmp_path):
     ]
     assert told[1].returncode == 0, told[1].stderr
     assert yaml.safe_load(told[1].stdout) == yaml.safe_load(told[0].stdout)
+
+
+@pytest.mark.parametrize("file", FILES)
+def test_in_a_namespace_its_topics_are_those_of_the_robot_there(file, tmp_path):
+    """What is remapped must be named as the node names it, without a leading slash."""
+    robot = tmp_path / "robot.launch"
+    robot.write_text(
+        f'<launch><group ns="robot1"><include file="{LAUNCH / file}"><arg name="cloud" value="cam/points"/></include></group></launch>')
+    told = subprocess.run(["roslaunch", "--args", "/robot1/safety_control_cloud", robot], stdout=subprocess.PIPE, text=True).stdout
+    assert "ROS_NAMESPACE=" in told and " camera/depth/points:=cam/points " in told
+    assert not any(word.startswith("/") for word in told.split() if ":=" in word)
