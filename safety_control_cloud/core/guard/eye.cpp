@@ -13,13 +13,13 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr int times = 8;
-constexpr double way_ahead = 1.0;      ///< [s] of a twist: its direction counts, not how far it leads
-constexpr double beside_view = 1.05;   ///< [rad] beyond which a way leads out of the picture
-constexpr double soon = 0.5;           ///< [s] of a twist, in which it leads to what is beside
-constexpr double nearer = 0.01;        ///< [m] and by so much
-constexpr double seam = 0.1;           ///< [rad] between the last beam of a whole turn and the first
-constexpr double straight = 0.1;       ///< [rad/m] a driver's hand is not steadier
-constexpr double least_away = 0.7071;  ///< cosine: half a right angle to each side
+constexpr double way_ahead = 1.0;       ///< [s] of a twist: its direction counts, not how far it leads
+constexpr double beside_view = 0.7854;  ///< [rad] beyond which a way leads out of the picture
+constexpr double soon = 0.5;            ///< [s] of a twist, in which it leads to what is beside
+constexpr double nearer = 0.01;         ///< [m] and by so much
+constexpr double seam = 0.1;            ///< [rad] between the last beam of a whole turn and the first
+constexpr double straight = 0.1;        ///< [rad/m] a driver's hand is not steadier
+constexpr double least_away = 0.7071;   ///< cosine: half a right angle to each side
 
 /// `ahead`: the axis in the sensor's own frame.
 Eye towards(const Outlook& outlook, const Point& ahead, double half_angle) {

@@ -160,6 +160,22 @@ TEST(GuardedDrives, BackwardOnAnArcItCreepsTooThoughItsFrontSwingsIntoThePicture
   }
 }
 
+TEST(GuardedDrives, SidewardItCreepsTooThoughAPartOfItSlidesIntoThePicture) {
+  Settings never = guard_settings(), rectangle = guard_settings();
+  never.unseen_speed = 0.0;
+  rectangle.footprint.text = "[[0.3, 0.25], [-0.5, 0.25], [-0.5, -0.25], [0.3, -0.25]]";
+  for (const Settings& settings : {guard_settings(), never, rectangle}) {
+    for (const double ahead : {-0.02, 0.0, 0.01, 0.05}) {
+      for (const double aside : {0.4, -0.7}) {
+        GuardedRobot robot(settings);
+        const Guarded& answer = robot.drives(Scene(), {ahead, aside, 0.0});
+        EXPECT_LE(std::abs(answer.given.linear[1]), settings.unseen_speed + 1e-9) << ahead << " " << aside;
+        EXPECT_EQ(answer.in_view, false);
+      }
+    }
+  }
+}
+
 TEST(GuardedDrives, ARoundRobotTurnsFreelyInPlace) {
   GuardedRobot robot;
   EXPECT_EQ(robot.drives(Scene({wall_before(0.16)}), {0.0, 0.0, 1.5}).factor, 1.0);
