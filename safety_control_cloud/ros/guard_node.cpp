@@ -185,6 +185,7 @@ void GuardNode::publish(const Guarded& answer) {
   said_ = to_twist(answer.given);
   commands_.publish(said_, answered_at_.steady + due);
   reports_.say(answer, control_.settings(), header_);
+  if (const auto line = commands_.unheard()) log_.warn(*line);
   lost_things_.keep(answer.cause);
   said_cause_ = answer.cause;
 }

@@ -33,6 +33,7 @@ void on_shutdown_request(XmlRpc::XmlRpcValue& request, XmlRpc::XmlRpcValue& resu
 void answer_requests_to_end() {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
+  if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup: it outlives its terminal
   ros::XMLRPCManager::instance()->unbind("shutdown");
   ros::XMLRPCManager::instance()->bind("shutdown", on_shutdown_request);
 }

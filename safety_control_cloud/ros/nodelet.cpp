@@ -3,6 +3,7 @@
 #include <ros/callback_queue.h>
 #include <ros/spinner.h>
 
+#include <exception>
 #include <memory>
 #include <pluginlib/class_list_macros.hpp>
 
@@ -15,6 +16,15 @@ namespace safety_control_cloud {
 /// Parameters that are unfit to drive with keep it from loading.
 class SafetyControlNodelet : public nodelet::Nodelet {
   void onInit() override {
+    try {
+      start();
+    } catch (const std::exception& problem) {
+      NODELET_FATAL("%s", problem.what());  // the loader tells that it failed, not why
+      throw;
+    }
+  }
+
+  void start() {
     node_ = node_of(on_own_queue(getNodeHandle()), on_own_queue(getPrivateNodeHandle()), Delivery::Shared);
     last_word_ = std::make_unique<LastWord>([this] { node_->end(); });
     decides_ = std::make_unique<ros::AsyncSpinner>(1, &queue_);

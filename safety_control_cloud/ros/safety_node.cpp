@@ -100,6 +100,7 @@ void SafetyNode::publish(const Decision& decision, const Instant& decided) {
   const double valid = until_silent > 0.0 ? until_silent : period;
   commands_.publish(to_twist(decision), decided.steady + valid);
   reports_.say(decision, control_.settings(), header_);
+  if (const auto line = commands_.unheard()) log_.warn(*line);
   lost_things_.keep(decision.cause);
   said_ = decision.cause;
 }

@@ -12,6 +12,8 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
+constexpr const char* all_of_entry = "must have a name, a type and a topic";
+
 std::optional<double> number_in(XmlRpcValue value) {
   if (value.getType() == XmlRpcValue::TypeInt) return static_cast<int&>(value);
   if (value.getType() == XmlRpcValue::TypeDouble) return static_cast<double&>(value);
@@ -127,7 +129,7 @@ Taking::Problem Taking::into(CommandType& setting) const {
 
 Taking::Problem Taking::into_entry(SwitchSettings& one) const {
   XmlRpcValue entry = given;
-  if (entry.getType() != XmlRpcValue::TypeStruct) return "must have a name, a type and a topic";
+  if (entry.getType() != XmlRpcValue::TypeStruct) return all_of_entry;
   for (auto& [key, value] : entry) {
     const Taking taking{value};
     Problem problem;
@@ -147,12 +149,12 @@ Taking::Problem Taking::into_entry(SwitchSettings& one) const {
     }
     if (problem) return key + " " + *problem;
   }
-  return std::nullopt;
+  return entry.hasMember("type") ? Problem() : all_of_entry;
 }
 
 Taking::Problem Taking::into_entry(SensorSettings& sensor) const {
   XmlRpcValue entry = given;
-  if (entry.getType() != XmlRpcValue::TypeStruct) return "must have a name, a type and a topic";
+  if (entry.getType() != XmlRpcValue::TypeStruct) return all_of_entry;
   for (auto& [key, value] : entry) {
     const Taking taking{value};
     const Problem problem = key == "name"       ? taking.into(sensor.name)
@@ -162,7 +164,7 @@ Taking::Problem Taking::into_entry(SensorSettings& sensor) const {
                                                 : taking.into_own(key, sensor.own[key]);
     if (problem) return key + " " + *problem;
   }
-  return std::nullopt;
+  return entry.hasMember("type") ? Problem() : all_of_entry;
 }
 
 Taking::Problem Taking::into_own(const std::string& name, double& setting) const {

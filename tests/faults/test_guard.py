@@ -7,6 +7,7 @@ import time
 import numpy as np
 import pytest
 import rospy
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from geometry_msgs.msg import Twist
 from guarded import CAMERA_TO_FRONT, bits, guarded_robot, twist
 from listening import Heard
@@ -165,6 +166,32 @@ def test_somebody_else_on_the_base_s_topic_ends_at_zero_and_is_named(robot):
     eventually(lambda: robot.states.all()[-1].cause_text == "SEEN")
 
 
+def test_a_driver_whom_no_base_hears_is_told(robot):
+    robot.gives(lambda state: state.cause_text == "SEEN")
+    robot.commands.close()
+    try:
+        eventually(lambda: "nobody listens on /cmd_vel" in robot.process.output())
+    finally:
+        robot.commands = Heard("/cmd_vel", Twist)
+
+
+def test_diagnostics_tell_what_is_near_and_a_robot_that_nobody_drives_is_no_error(robot):
+    heard = Heard("/diagnostics", DiagnosticArray)
+    robot.camera.show(hall(wall(0.45)))
+    robot.driver.say(AHEAD)
+    slowed = heard.until(lambda array: not math.isnan(float(values_in(array)["nearest [m]"])))
+    assert slowed.status[0].level == DiagnosticStatus.WARN
+    assert float(values_in(slowed)["nearest [m]"]) == pytest.approx(0.45 - 0.087, abs=0.05)
+    robot.driver.say(None)
+    idle = heard.until(lambda array: values_in(array)["cause"] == "NO_COMMAND")
+    assert idle.status[0].level == DiagnosticStatus.OK
+    heard.close()
+
+
+def values_in(array):
+    return {value.key: value.value for value in array.status[0].values}
+
+
 def test_whoever_plans_is_told_what_is_blocked_and_what_is_open(robot):
     robot.camera.show(hall(wall(0.45)))
     robot.driver.say(AHEAD)
@@ -175,6 +202,8 @@ def test_whoever_plans_is_told_what_is_blocked_and_what_is_open(robot):
     told = eventually(lambda: [blocked for blocked in robot.blocked.all()[-1:] if blocked.open])[0]
     assert (told.blocked, told.cause_text, told.open) == (True, "BLIND", SafetyState.BACKWARD)
     assert told.wanted.linear.x == AHEAD.linear.x
+    robot.driver.say(twist(0.0, 0.5))  # for the same cause, and with the same way open
+    eventually(lambda: robot.blocked.all()[-1].wanted.angular.z == 0.5)
     robot.driver.say(twist(-0.1))
     robot.passes(twist(-0.1))
     eventually(lambda: not robot.blocked.all()[-1].blocked)

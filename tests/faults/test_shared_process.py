@@ -24,7 +24,7 @@ NODELET = ["rosrun", "nodelet", "nodelet", "standalone", "safety_control_cloud/S
            "__name:=safety_control_cloud"]
 BLOCKED = 6.0  # [s]
 LATE = 0.15  # [s] after source_timeout until a thread of its own commands zero
-ENDS = {"SIGINT": signal.SIGINT, "SIGTERM": signal.SIGTERM, "rosnode_kill": None}
+ENDS = {"SIGINT": signal.SIGINT, "SIGTERM": signal.SIGTERM, "SIGHUP": signal.SIGHUP, "rosnode_kill": None}
 
 
 @contextmanager
@@ -61,7 +61,7 @@ def test_the_last_command_of_a_manager_that_is_ended_is_zero(nodelet, number):
         nodelet.process.send(number)
     else:
         subprocess.run(["rosnode", "kill", NODE], check=True, stdout=subprocess.DEVNULL)
-    assert nodelet.process.wait(10.0) in (0, -signal.SIGTERM), nodelet.process.output()
+    assert nodelet.process.wait(10.0) in (0, -signal.SIGTERM, -signal.SIGHUP), nodelet.process.output()
     assert nodelet.commands.until_silence()[-1].linear.x == 0.0
 
 
@@ -73,6 +73,15 @@ def test_the_last_command_of_a_nodelet_that_is_unloaded_is_zero(master):
             loaded.send(signal.SIGINT)
             assert robot.commands.until_silence()[-1].linear.x == 0.0
             assert manager.exit_code is None, manager.output()
+
+
+def test_a_nodelet_with_unfit_parameters_says_all_that_is_wrong(master):
+    try:
+        with process([*NODELET, "_danger_distanc:=0.6", "_min_points:=0"]) as running:
+            eventually(lambda: "did you mean ~danger_distance?" in running.output())
+            assert "min_points must be at least 1" in running.output()
+    finally:
+        rospy.delete_param(NODE)
 
 
 def test_others_that_keep_the_queue_busy_do_not_keep_the_robot_driving(shared):

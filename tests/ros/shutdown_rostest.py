@@ -34,6 +34,9 @@ class Shutdown(unittest.TestCase):
     def test_sigterm(self):
         self.check_last_command_when(lambda running: running.send(signal.SIGTERM))
 
+    def test_its_terminal_is_closed(self):
+        self.check_last_command_when(lambda running: running.send(signal.SIGHUP))
+
     def test_rosnode_kill(self):
         self.check_last_command_when(lambda _: subprocess.run(
             ["rosnode", "kill", "/safety_control_cloud"], check=True, stdout=subprocess.DEVNULL))

@@ -47,6 +47,8 @@ TEST(Taking, ASensorHasANameATypeATopicAndWhatIsItsOwn) {
 TEST(Taking, OfASensorWhatIsOfAnotherKindIsNamedWithItsPlace) {
   EXPECT_EQ(problem_of(XmlRpcValue("front")), "must be a list of sensors");
   EXPECT_EQ(problem_of(list_of(XmlRpcValue("front"))), "[0] must have a name, a type and a topic");
+  EXPECT_EQ(problem_of(list_of(sensor({{"name", "front"}, {"topic", "scan"}}))),
+            "[0] must have a name, a type and a topic");
   EXPECT_EQ(problem_of(list_of(sensor({{"type", "sonar"}}))), "[0] type must be cloud, depth or scan");
   EXPECT_EQ(problem_of(list_of(sensor({{"name", 7}}))), "[0] name must be a name");
   EXPECT_EQ(problem_of(list_of(sensor({{"required", "yes"}}))), "[0] required must be true or false");
@@ -69,6 +71,7 @@ TEST(Taking, OfASwitchWhatIsOfAnotherKindIsNamedWithItsPlace) {
   const auto problem = [&](const XmlRpcValue& value) { return Taking{value}.into(switches).value_or(""); };
   EXPECT_EQ(problem(XmlRpcValue("front")), "must be a list of switches");
   EXPECT_EQ(problem(list_of(XmlRpcValue(7))), "[0] must have a name, a type and a topic");
+  EXPECT_EQ(problem(list_of(sensor({{"topic", "cliff"}}))), "[0] must have a name, a type and a topic");
   EXPECT_EQ(problem(list_of(sensor({{"type", "button"}}))), "[0] type must be bumper or cliff");
   EXPECT_EQ(problem(list_of(sensor({{"side", "ahead"}}))).substr(0, 22), "[0] side must be front");
   EXPECT_EQ(problem(list_of(sensor({{"side", 0}}))).substr(0, 22), "[0] side must be front");

@@ -13,9 +13,10 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double period = 0.1;      ///< [s] between two looks at who is connected; not longer than a node may be late
-constexpr double slack = 0.1;       ///< [s] by which the node may be late
-constexpr double repetition = 0.1;  ///< [s] between two zeros where the node says nothing
+constexpr double period = 0.1;  ///< [s] between two looks at who is connected; not longer than a node may be late
+constexpr double slack = 0.1;   ///< [s] by which the node may be late
+constexpr double unheard_after = 5.0;  ///< [s]
+constexpr double repetition = 0.1;     ///< [s] between two zeros where the node says nothing
 
 /// Whose message this thread is publishing now. In one process all that is published bears the same name; but a pointer
 /// is handed over before publish() returns.
@@ -67,6 +68,18 @@ void Commands::publish(const Twist& wanted, double due) {
 }
 
 std::optional<Doubt> Commands::doubt() { return others_.doubt(now()); }
+
+std::optional<std::string> Commands::unheard() {
+  const double moment = now();
+  if (moment - looked_for_listeners_ < 1.0) return std::nullopt;
+  looked_for_listeners_ = moment;
+  const bool is_heard = publisher_.getNumSubscribers() > 1;  // itself too
+  if (is_heard || heard_ == 0.0) heard_ = moment;
+  if (is_heard) said_unheard_ = false;
+  if (said_unheard_ || moment - heard_ < unheard_after) return std::nullopt;
+  said_unheard_ = true;
+  return "nobody listens on " + publisher_.getTopic() + ": a base that obeys another topic passes this node by";
+}
 
 void Commands::end() {
   const std::lock_guard<std::mutex> lock(saying_);

@@ -40,6 +40,9 @@ class Commands {
   /// Whether somebody else commands the robot.
   std::optional<Doubt> doubt();
 
+  /// That nobody has listened for some seconds, in words, once until somebody does.
+  std::optional<std::string> unheard();
+
   /// The last command: nothing but zero is said from now on.
   void end();
 
@@ -65,7 +68,9 @@ class Commands {
   std::condition_variable woken_;
   bool answer_ = false, leave_ = false;
 
-  bool other_known_ = false;  ///< of the thread alone
+  bool other_known_ = false;                         ///< of the thread alone
+  double looked_for_listeners_ = 0.0, heard_ = 0.0;  ///< [s, steady] of the node's thread alone, as is the next
+  bool said_unheard_ = false;
   ros::Publisher publisher_;
   ros::Subscriber subscriber_;
   std::thread thread_;

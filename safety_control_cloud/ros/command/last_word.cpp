@@ -20,7 +20,7 @@ namespace {
 
 using Say = const std::function<void()>;
 
-constexpr int signals[] = {SIGINT, SIGTERM};
+constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP};
 
 sem_t asked;  ///< all that a signal handler may wake a thread with
 std::atomic<bool> arrived[NSIG];
@@ -89,6 +89,8 @@ void hold_requests_back() {
     ours.sa_handler = on_signal;
     ours.sa_flags = SA_RESTART;
     sigaction(number, &ours, &usual[number]);
+    const bool outlives_its_terminal = number == SIGHUP && usual[number].sa_handler == SIG_IGN;  // nohup
+    if (outlives_its_terminal) sigaction(number, &usual[number], nullptr);
   }
   ros::XMLRPCManager::instance()->unbind("shutdown");
   ros::XMLRPCManager::instance()->bind("shutdown", on_shutdown_request);

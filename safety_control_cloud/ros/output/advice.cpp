@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../../core/text/words.hpp"
+#include "../time/moments.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -25,6 +26,10 @@ std::string advice_for(Cause cause, double age, const std::string& node) {
     default:
       return "";
   }
+}
+
+std::string way_out(const std::string& hint, Cause cause, const std_msgs::Header& cloud, const std::string& node) {
+  return words(hint.empty() ? "" : "; it drives again when ", hint, advice_for(cause, age_of(cloud), node));
 }
 
 }  // namespace safety_control_cloud

@@ -15,6 +15,7 @@ constexpr double milliseconds = 1000.0;
 
 std::uint8_t level_of(const Decision& decision) {
   using diagnostic_msgs::DiagnosticStatus;
+  if (decision.cause == Cause::NoCommand) return DiagnosticStatus::OK;  // nobody wants to drive
   if (decision.cause != Cause::Seen) return DiagnosticStatus::ERROR;
   return decision.zone == Zone::Safe ? DiagnosticStatus::OK : DiagnosticStatus::WARN;
 }
@@ -85,7 +86,7 @@ void Diagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   status.add("nearest [m]", decision_.nearest ? decision_.nearest->distance() : std::nan(""));
   if (decision_.stuck_since) {
     status.add("stuck for [s]", ros::SteadyTime::now().toSec() - *decision_.stuck_since);
-    status.add("freed by", decision_.hint);
+    if (!decision_.hint.empty()) status.add("freed by", decision_.hint);
   }
   if (override_left_ > 0.0) status.add("override for [s]", override_left_);
   status.add("share of returns", share_of_returns(decision_.sight));

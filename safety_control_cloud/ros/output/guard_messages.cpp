@@ -4,6 +4,7 @@
 #include <ros/time.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -59,6 +60,8 @@ Decision to_decision(const Guarded& answer) {
   decision.cause = answer.cause;
   decision.reason = answer.reason;
   decision.hint = answer.hint;
+  if (answer.point) decision.nearest = Obstacle{{NAN, NAN, static_cast<float>(length_of(*answer.point))}};
+  if (answer.stuck) decision.stuck_since = answer.stuck_since;
   decision.sight = answer.sight;
   return decision;
 }

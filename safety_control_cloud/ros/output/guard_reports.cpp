@@ -2,9 +2,11 @@
 #include "guard_reports.hpp"
 
 #include <boost/make_shared.hpp>
+#include <cmath>
 
 #include "../../core/text/words.hpp"
 #include "../time/moments.hpp"
+#include "advice.hpp"
 #include "guard_markers.hpp"
 #include "guard_messages.hpp"
 #include "periods.hpp"
@@ -17,10 +19,18 @@ const char* what_is_given(const Guarded& answer) {
   return answer.factor > 0.0 ? "Scaled" : "Stands";
 }
 
+/// Whether two commands want the same way, within ten degrees; a radian counts as a metre.
+bool point_alike(const Command& a, const Command& b) {
+  const Twist2 one = in_plane(a), other = in_plane(b);
+  const auto product = [](const Twist2& p, const Twist2& q) { return p.vx * q.vx + p.vy * q.vy + p.w * q.w; };
+  return product(one, other) >= 0.985 * std::sqrt(product(one, one) * product(other, other));
+}
+
 }  // namespace
 
 GuardReports::GuardReports(ros::NodeHandle& private_handle, Log& log)
     : log_(log),
+      node_(private_handle.getNamespace()),
       state_(private_handle.advertise<SafetyState>("state", 1, true)),
       blocked_(private_handle.advertise<Blocked>("blocked", 1, true)),
       markers_(private_handle.advertise<visualization_msgs::MarkerArray>("markers", 1, true)) {}
@@ -32,12 +42,13 @@ void GuardReports::say(const Guarded& answer, const Settings& settings, const st
   say_blocked(answer, settings);
   say_markers(answer, settings);
   say_override(answer);
-  say_in_log(answer);
+  say_in_log(answer, cloud);
 }
 
 void GuardReports::say_blocked(const Guarded& answer, const Settings& settings) {
   const bool same = answer.stuck == blocked_by_.stuck &&
-                    (!answer.stuck || (answer.cause == blocked_by_.cause && answer.open == blocked_by_.open));
+                    (!answer.stuck || (answer.cause == blocked_by_.cause && answer.open == blocked_by_.open &&
+                                       point_alike(answer.wanted, blocked_by_.wanted)));
   if (said_blocked_ && same) return;
   const auto blocked = boost::make_shared<Blocked>(to_blocked(answer, settings));
   blocked->header.stamp = ros::Time::now();
@@ -58,14 +69,15 @@ void GuardReports::say_override(const Guarded& answer) {
   overridden_ = overrides;
 }
 
-void GuardReports::say_in_log(const Guarded& answer) {
+void GuardReports::say_in_log(const Guarded& answer, const std_msgs::Header& cloud) {
   const bool changed = what_is_given(answer) != what_is_given(logged_) || answer.cause != logged_.cause;
   const bool matters = answer.override_left > 0.0 || (answer.factor < 1.0 && answer.cause != Cause::NoCommand);
   const bool again = matters && seconds_since(last_log_) >= log_period;
   if (!changed && !again) return;
-  const std::string line = words(what_is_given(answer), ": ", name_of(answer.cause), ", ", answer.reason);
+  const std::string line = words(what_is_given(answer), ": ", name_of(answer.cause), ", ", answer.reason,
+                                 way_out(answer.hint, answer.cause, cloud, node_));
   const bool usual = answer.cause == Cause::Seen || answer.cause == Cause::NoCommand;
-  usual && answer.override_left == 0.0 ? log_.info(line) : log_.warn(line);
+  usual&& answer.override_left == 0.0 ? log_.info(line) : log_.warn(line);
   logged_ = answer;
   last_log_ = ros::SteadyTime::now();
 }

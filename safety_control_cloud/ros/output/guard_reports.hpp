@@ -4,6 +4,8 @@
 #include <ros/node_handle.h>
 #include <std_msgs/Header.h>
 
+#include <string>
+
 #include "../../core/guard_control.hpp"
 #include "log.hpp"
 
@@ -25,9 +27,10 @@ class GuardReports {
   void say_blocked(const Guarded& answer, const Settings& settings);
   void say_markers(const Guarded& answer, const Settings& settings);
   void say_override(const Guarded& answer);
-  void say_in_log(const Guarded& answer);
+  void say_in_log(const Guarded& answer, const std_msgs::Header& cloud);
 
   Log& log_;
+  const std::string node_;
   ros::Publisher state_, blocked_, markers_;
   ros::SteadyTime last_log_, last_markers_;
   Guarded logged_, blocked_by_;

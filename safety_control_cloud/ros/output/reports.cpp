@@ -54,9 +54,8 @@ void Reports::say_in_log(const Decision& decision, const std_msgs::Header& cloud
   if (decision.cause == Cause::Seen) {
     log_.info(zone);
   } else {
-    const std::string hint = decision.hint.empty() ? "" : "; it drives again when " + decision.hint;
-    log_.warn(words(zone, ": ", name_of(decision.cause), ", ", decision.reason, hint,
-                    advice_for(decision.cause, age_of(cloud), node_)));
+    log_.warn(words(zone, ": ", name_of(decision.cause), ", ", decision.reason,
+                    way_out(decision.hint, decision.cause, cloud, node_)));
   }
   logged_ = decision;
   last_log_ = ros::SteadyTime::now();
