@@ -59,6 +59,15 @@ known_to_apt() {
   LC_ALL=C apt-cache policy "$@" | awk '/^[^ ]/ { sub(":$", ""); name = $0 } /^  Candidate: / && $2 != "(none)" { print name }'
 }
 
+# All but the optional ones that apt does not know.
+installable() {
+  local package known
+  known=$(known_to_apt "$@")
+  for package in "$@"; do
+    if [[ $optional_packages != *" $package "* ]] || grep -qxF "$package" <<<"$known"; then echo "$package"; fi
+  done
+}
+
 # Which optional packages this release does not have, so that asking for them again needs no apt-get update.
 absent=build/setup.absent
 

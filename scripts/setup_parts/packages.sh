@@ -5,7 +5,7 @@
 common_packages=(
   build-essential cmake git                                # build
   libeigen3-dev libhwy-dev libpcl-dev pybind11-dev
-  python3-dev python3-matplotlib python3-numpy python3-venv  # Python
+  python3-dev python3-matplotlib python3-numpy python3-pil python3-venv  # Python
   libosmesa6                                               # simulation without a screen
 )
 common_check_packages=(

@@ -2,8 +2,9 @@
 """PyPI packages that only some commands need: named, with the command that installs them, where they are missing."""
 from __future__ import annotations
 
+import sys
 from importlib.util import find_spec
-from typing import Dict, Sequence
+from typing import Dict, Sequence, Tuple
 
 GROUPS: Dict[str, Sequence[str]] = {  # modules of each `scripts/setup --with GROUP`
     "judge": ("rosbags", "rich", "pyarrow", "xxhash"),
@@ -11,6 +12,7 @@ GROUPS: Dict[str, Sequence[str]] = {  # modules of each `scripts/setup --with GR
     "cluster": ("distributed",),
     "view": ("rerun",),
 }
+OLDEST_PYTHON: Dict[str, Tuple[int, int]] = {"s3": (3, 10), "cluster": (3, 10), "view": (3, 11)}  # that PyPI has them for
 
 
 class MissingPackages(RuntimeError):
@@ -20,5 +22,8 @@ class MissingPackages(RuntimeError):
 def require(group: str) -> None:
     """Raises MissingPackages."""
     missing = [name for name in GROUPS[group] if find_spec(name) is None]
+    oldest = OLDEST_PYTHON.get(group, sys.version_info[:2])
+    if missing and sys.version_info[:2] < oldest:
+        raise MissingPackages(f"this needs {', '.join(missing)}, and these Python {oldest[0]}.{oldest[1]} or newer: this is {sys.version.split()[0]}")
     if missing:
         raise MissingPackages(f"this needs {', '.join(missing)}: scripts/setup --with {group}")

@@ -9,7 +9,7 @@ from math import inf
 def picture_size(text: str) -> tuple[int, int]:
     """[px] of `640x480`."""
     width, height = text.split("x")
-    return int(width), int(height)
+    return count(width), count(height)
 
 
 def yes(text: str) -> bool:

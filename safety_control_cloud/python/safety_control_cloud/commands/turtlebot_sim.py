@@ -33,14 +33,20 @@ def parser() -> argparse.ArgumentParser:
     return parser
 
 
-def main(argv: list[str]) -> None:
+def main(argv: list[str]) -> int:
     arguments = parser().parse_args(without_remappings(argv[1:]))
     import rospy  # after the arguments: --help needs Python alone
 
-    from ..nodes.turtlebot_sim import Options, TurtlebotSim
-    from ..simulation.sensor import Xtion
-    from ..simulation.turtlebot import TurtleBot
-    from ..simulation.world import World
+    try:
+        from ..nodes.turtlebot_sim import Options, TurtlebotSim
+        from ..simulation.sensor import Xtion
+        from ..simulation.turtlebot import TurtleBot
+        from ..simulation.world import World
+    except ModuleNotFoundError as missing:
+        if missing.name != "mujoco":
+            raise
+        print("turtlebot_sim: this needs MuJoCo, which scripts/setup installs beside the package", file=sys.stderr)
+        return 2
 
     rospy.init_node("turtlebot_sim")
     rospy.set_param("/use_sim_time", True)
@@ -52,6 +58,7 @@ def main(argv: list[str]) -> None:
         _run_in_window(simulator, robot.world)
     else:
         simulator.run()
+    return 0
 
 
 def _camera_rate(text: str) -> float:
@@ -75,4 +82,4 @@ def _run_in_window(simulator: TurtlebotSim, world: World) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv)
+    sys.exit(main(sys.argv))
