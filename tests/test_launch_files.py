@@ -34,3 +34,11 @@ def test_in_a_namespace_its_topics_are_those_of_the_robot_there(file, tmp_path):
     told = subprocess.run(["roslaunch", "--args", "/robot1/safety_control_cloud", robot], stdout=subprocess.PIPE, text=True).stdout
     assert "ROS_NAMESPACE=" in told and " camera/depth/points:=cam/points " in told
     assert not any(word.startswith("/") for word in told.split() if ":=" in word)
+
+
+@pytest.mark.parametrize("manager, starts", [
+    ("", "/safety_control_node "), ("camera/manager", "/nodelet load safety_control_cloud/SafetyControlNodelet camera/manager ")])
+def test_the_guard_is_a_process_of_its_own_or_in_the_drivers(manager, starts):
+    told = subprocess.run(["roslaunch", "--args", "/safety_control_cloud", LAUNCH / "guard.launch", f"manager:={manager}"],
+                          stdout=subprocess.PIPE, text=True).stdout
+    assert starts in told and " cmd_vel:=mobile_base/commands/velocity " in told

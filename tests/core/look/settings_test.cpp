@@ -21,6 +21,7 @@ TEST(LookSettings, EveryContradictionIsNamed) {
           {"bottom must be less", [](LookSettings& s) { std::swap(s.frame_corridor.bottom, s.frame_corridor.top); }},
           {"with target_frame the corridor is",
            [](LookSettings& s) { s.target_frame = "base_footprint", s.corridor.x_max = 0.4f; }},
+          {"must not begin with a slash", [](LookSettings& s) { s.target_frame = "/base_footprint"; }},
           {"need a target_frame", [](LookSettings& s) { s.frame_corridor.top = 0.6; }},
       }),
       std::vector<std::string>{});
