@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <vector>
 
 #include "evidence.hpp"
 
@@ -47,11 +46,13 @@ class ColumnBelow {
       lowest = lowest_from(lowest);
       if (other && *surface >= lowest) other.reset();
     }
-    const auto below = other ? std::vector<Seen>() : seen_below(lowest);
-    if (!other) other = other_in(below);
+    const Below below = other ? Below() : below_row(lowest);
+    // Where no surface goes on, something else than ground may show in much of what is below the thing.
+    if (2 * below.others > below.blank) other = below.other;
     // What reaches the floor below its foot is another thing.
     if (other) return is_near(*other) || is_farther(*other) ? Stand::Hangs : Stand::Unseen;
-    return stand_on_ground(below, lowest);
+    if (!below.gap && lowest < ground_.rows()) return Stand::Stands;
+    return below.gap && !(below.ground && is_farther(*below.ground)) ? Stand::Unseen : Stand::Hangs;
   }
 
  private:
@@ -71,9 +72,27 @@ class ColumnBelow {
             ahead};
   }
 
-  std::vector<Seen> seen_below(std::size_t lowest) const {
-    std::vector<Seen> below(std::min(lowest, ground_.rows()));
-    for (std::size_t i = 0; i < below.size(); ++i) below[i] = seen_in(i);
+  /// What all of the rows below one show.
+  struct Below {
+    std::size_t blank = 0, others = 0;  ///< so many return nothing, or what is neither ground nor the thing
+    std::optional<Seen> other, ground;  ///< the uppermost of these
+    bool gap = false;                   ///< too many that follow one another show neither ground nor anything near
+  };
+
+  Below below_row(std::size_t lowest) const {
+    Below below;
+    std::size_t missing = 0;
+    for (std::size_t i = 0; i < std::min(lowest, ground_.rows()); ++i) {
+      const Seen seen = seen_in(i);
+      const bool is_ground = seen.code >= 0;
+      const bool is_other = seen.code == NearGround::elsewhere || (is_near(seen) && !is_of_thing(seen));
+      below.blank += seen.code == NearGround::nothing;
+      below.others += is_other;
+      if (is_other) below.other = seen;
+      if (is_ground) below.ground = seen;
+      missing = is_ground || is_near(seen) ? 0 : missing + 1;
+      below.gap = below.gap || missing > most_blank_;
+    }
     return below;
   }
 
@@ -106,33 +125,6 @@ class ColumnBelow {
       if (std::abs(ahead - before) <= agreement * std::min(ahead, before)) return i;
     }
     return std::nullopt;
-  }
-
-  /// Where nothing goes on, but much of what is below the thing returns something else than the ground, one of these.
-  std::optional<Seen> other_in(const std::vector<Seen>& below) const {
-    std::size_t blank = 0, others = 0;
-    std::optional<Seen> other;
-    for (const Seen& seen : below) {
-      blank += seen.code == NearGround::nothing;
-      const bool is_other = seen.code == NearGround::elsewhere || (is_near(seen) && !is_of_thing(seen));
-      others += is_other;
-      if (is_other) other = seen;
-    }
-    return 2 * others > blank ? other : std::nullopt;
-  }
-
-  /// Of a thing below which nothing else is seen.
-  Stand stand_on_ground(const std::vector<Seen>& below, std::size_t lowest) const {
-    std::size_t blank = 0;
-    bool gap = false;
-    std::optional<Seen> farthest;  // ground
-    for (const Seen& seen : below) {
-      if (seen.code >= 0) farthest = seen;
-      blank = seen.code >= 0 || is_near(seen) ? 0 : blank + 1;
-      gap = gap || blank > most_blank_;
-    }
-    if (!gap && lowest < ground_.rows()) return Stand::Stands;
-    return gap && !(farthest && is_farther(*farthest)) ? Stand::Unseen : Stand::Hangs;
   }
 
   const Foot& foot_;
