@@ -35,7 +35,15 @@ def robot_in(command):
 
 
 @pytest.fixture
-def nodelet(master):
+def a_terminal():
+    """nohup, under which these tests may run, lets those who are started ignore that it closes."""
+    before = signal.signal(signal.SIGHUP, signal.SIG_DFL)
+    yield
+    signal.signal(signal.SIGHUP, before)
+
+
+@pytest.fixture
+def nodelet(master, a_terminal):
     with robot_in(NODELET) as robot:
         yield robot
 

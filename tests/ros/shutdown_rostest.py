@@ -43,5 +43,6 @@ class Shutdown(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)  # under nohup, those who are started would ignore it
     rospy.init_node("shutdown")
     rostest.rosrun("safety_control_cloud", "shutdown", Shutdown)
