@@ -37,6 +37,7 @@ Commands::Commands(ros::NodeHandle& handle, const std::string& topic, std::funct
       connected_(handle.resolveName(topic)),
       queue_(*handle.getCallbackQueue()),
       on_other_(std::move(on_other)),
+      heard_(now()),
       publisher_(handle.advertise<Twist>(topic, 1)) {
   ros::SubscribeOptions options;
   options.initByFullCallbackType<const ros::MessageEvent<const Twist>&>(
@@ -70,14 +71,8 @@ void Commands::publish(const Twist& wanted, double due) {
 std::optional<Doubt> Commands::doubt() { return others_.doubt(now()); }
 
 std::optional<std::string> Commands::unheard() {
-  const double moment = now();
-  if (moment - looked_for_listeners_ < 1.0) return std::nullopt;
-  looked_for_listeners_ = moment;
-  const bool is_heard = publisher_.getNumSubscribers() > 1;  // itself too
-  if (is_heard || heard_ == 0.0) heard_ = moment;
-  if (is_heard) said_unheard_ = false;
-  if (said_unheard_ || moment - heard_ < unheard_after) return std::nullopt;
-  said_unheard_ = true;
+  const bool is_unheard = now() - heard_ > unheard_after, said = std::exchange(said_unheard_, is_unheard);
+  if (said || !is_unheard) return std::nullopt;
   return "nobody listens on " + publisher_.getTopic() + ": a base that obeys another topic passes this node by";
 }
 
@@ -119,6 +114,7 @@ void Commands::watch() {
 void Commands::look_who_is_connected() {
   const std::size_t all = subscriber_.getNumPublishers();  // this process is one of them
   others_.connected(connected_.names(all > 1 ? all - 1 : 0));
+  if (publisher_.getNumSubscribers() > 1) heard_ = now();  // itself, too
   const bool known = std::exchange(other_known_, others_.doubt(now()).has_value());
   if (other_known_ && !known) {
     queue_.addCallback(boost::make_shared<Later>(on_other_), reinterpret_cast<std::uint64_t>(this));

@@ -6,6 +6,7 @@
 #include <ros/message_event.h>
 #include <ros/node_handle.h>
 
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -68,9 +69,9 @@ class Commands {
   std::condition_variable woken_;
   bool answer_ = false, leave_ = false;
 
-  bool other_known_ = false;                         ///< of the thread alone
-  double looked_for_listeners_ = 0.0, heard_ = 0.0;  ///< [s, steady] of the node's thread alone, as is the next
-  bool said_unheard_ = false;
+  bool other_known_ = false;   ///< of the thread alone
+  std::atomic<double> heard_;  ///< [s, steady] when somebody else listened last
+  bool said_unheard_ = false;  ///< of the node's thread alone
   ros::Publisher publisher_;
   ros::Subscriber subscriber_;
   std::thread thread_;
