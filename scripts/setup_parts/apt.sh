@@ -59,13 +59,17 @@ known_to_apt() {
   LC_ALL=C apt-cache policy "$@" | awk '/^[^ ]/ { sub(":$", ""); name = $0 } /^  Candidate: / && $2 != "(none)" { print name }'
 }
 
-# All but the optional ones that apt does not know.
-installable() {
+# Those of the packages that are optional, and that apt does not know.
+unknown_options() {
   local package known
   known=$(known_to_apt "$@")
   for package in "$@"; do
-    if [[ $optional_packages != *" $package "* ]] || grep -qxF "$package" <<<"$known"; then echo "$package"; fi
+    if [[ $optional_packages == *" $package "* ]] && ! grep -qxF "$package" <<<"$known"; then echo "$package"; fi
   done
+}
+
+installable() {
+  if (($#)); then comm -23 <(printf '%s\n' "$@" | sort) <(unknown_options "$@" | sort); fi
 }
 
 # Which optional packages this release does not have, so that asking for them again needs no apt-get update.
@@ -79,13 +83,7 @@ without_absent() {
 }
 
 remember_absent() {
-  local package known
-  known=$(known_to_apt "$@")
-  for package in "$@"; do
-    if [[ $optional_packages == *" $package "* ]] && ! grep -qxF "$package" <<<"$known"; then
-      echo "$(release) $package" >>"$absent"
-    fi
-  done
+  unknown_options "$@" | sed "s/^/$(release) /" >>"$absent"
 }
 
 install_packages() {

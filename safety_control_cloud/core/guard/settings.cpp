@@ -51,9 +51,8 @@ void check(const GuardSettings& guard, Problems& problems) {
   check(guard.sensors, problems);
   check(guard.switches, problems);
   problems.require(!guard.base_frame.empty(), "base_frame must not be empty");
-  for (const auto& [name, frame] : {std::pair("base_frame", guard.base_frame), {"odom_frame", guard.odom_frame}})
-    problems.require(frame.empty() || frame.front() != '/',
-                     std::string(name) + " must not begin with a slash: tf2 has no such frames");
+  problems.require_frame("base_frame", guard.base_frame);
+  problems.require_frame("odom_frame", guard.odom_frame);
   problems.require(guard.odom_frame != guard.base_frame, "odom_frame must not be base_frame");
   problems.require(guard.command_max_age > 0.0, "command_max_age must be positive");
   problems.require(guard.command_timeout > 0.0, "command_timeout must be positive");

@@ -16,8 +16,7 @@ bool same_limits(const FrameCorridor& a, const FrameCorridor& b) {
 
 /// The limits that do not apply must stand at their defaults: whoever set them meant something else than will happen.
 void check_axes(const LookSettings& look, Problems& problems) {
-  problems.require(look.target_frame.empty() || look.target_frame.front() != '/',
-                   "target_frame must not begin with a slash: tf2 has no such frames");
+  problems.require_frame("target_frame", look.target_frame);
   if (look.target_frame.empty()) {
     problems.require(same_limits(look.frame_corridor, FrameCorridor{}),
                      "left, right, bottom and top need a target_frame; without one the corridor is x_min, x_max, y_min "

@@ -27,13 +27,13 @@ std::array<float, 9> Pixels::read_around(const Pixels& picture, std::size_t row,
     const auto take = [&](float px, float py, float pz) { z[3 * i + j] = picture.point_of(px, py, pz).z; };
     reader(row + i - 1, column + j - 1, take);
   };
-  if (row > 0 && column > 0 && row + 1 < picture.height_ && column + 1 < picture.width_) {
-    for (std::size_t i = 0; i < 3; ++i)  // nine in a row, without a branch
-      for (std::size_t j = 0; j < 3; ++j) read(i, j);
-    return z;
-  }
-  for (std::size_t i = row > 0 ? 0 : 1; i < 3 && row + i <= picture.height_; ++i)
-    for (std::size_t j = column > 0 ? 0 : 1; j < 3 && column + j <= picture.width_; ++j) read(i, j);
+  const auto is_there = [&](std::size_t i, std::size_t j) {
+    return row + i > 0 && row + i <= picture.height_ && column + j > 0 && column + j <= picture.width_;
+  };
+  const bool all_are = is_there(0, 0) && is_there(2, 2);  // most are: then nine in a row, without a branch
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (all_are || is_there(i, j)) read(i, j);
   return z;
 }
 

@@ -13,6 +13,11 @@ struct Problems {
   void require(bool holds, const std::string& sentence) {
     if (!holds) sentences.push_back(sentence);
   }
+
+  /// Of a parameter that names a frame, or none.
+  void require_frame(const std::string& parameter, const std::string& frame) {
+    require(frame.empty() || frame.front() != '/', parameter + " must not begin with a slash: tf2 has no such frames");
+  }
 };
 
 }  // namespace safety_control_cloud

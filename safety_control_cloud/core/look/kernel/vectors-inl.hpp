@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The vectors that all of the kernel speaks of; compiled once for every instruction set.
+// The vectors that all of the kernel speaks of; part of scan_simd.cpp, compiled once for every instruction set.
 #if defined(SAFETY_CONTROL_CLOUD_VECTORS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SAFETY_CONTROL_CLOUD_VECTORS_INL
 #undef SAFETY_CONTROL_CLOUD_VECTORS_INL
