@@ -60,6 +60,14 @@ class Guarded:
         self.driver = Repeated(namespace + "/cmd_vel_in", *said)
         self.camera = camera(view or hall(frame=prefix + FRAME), clock, topic=namespace + TOPIC)
 
+    def rests(self) -> None:
+        """In a hall that is seen to be free, and without a driver."""
+        self.camera.clock = rospy.Time.now
+        self.camera.show(hall())
+        self.driver.say(twist(0.3))
+        self.gives(lambda state: state.cause_text == "SEEN" and state.factor == 1.0, lasts=0.2)
+        self.driver.say(None)
+
     def gives(self, fits: Callable[[SafetyState], bool], within: float = SETTLED, lasts: float = 0.3) -> SafetyState:
         """The robot comes to an answer that fits, and stays with such for a while, on ~state and on cmd_vel.
 
