@@ -76,8 +76,9 @@ void GuardReports::say_in_log(const Guarded& answer, const std_msgs::Header& clo
   if (!changed && !again) return;
   const std::string line = words(what_is_given(answer), ": ", name_of(answer.cause), ", ", answer.reason,
                                  way_out(answer.hint, answer.cause, cloud, node_));
-  const bool usual = answer.cause == Cause::Seen || answer.cause == Cause::NoCommand;
-  usual&& answer.override_left == 0.0 ? log_.info(line) : log_.warn(line);
+  const bool is_usual =
+      answer.override_left == 0.0 && (answer.cause == Cause::Seen || answer.cause == Cause::NoCommand);
+  is_usual ? log_.info(line) : log_.warn(line);
   logged_ = answer;
   last_log_ = ros::SteadyTime::now();
 }
