@@ -52,8 +52,8 @@ def touched(*moments: Moment):
     return [touch.kind for touch in judge.outcome().touches]
 
 
-def hit(time: float, approach: float = 0.1) -> Hit:
-    return Hit(time, "wall", (1.0, 0.0), approach)
+def hit(time: float, approach: float = 0.1, depth: float = 0.0) -> Hit:
+    return Hit(time, "wall", (1.0, 0.0), approach, depth)
 
 
 @pytest.mark.parametrize("when, kind", [
@@ -79,6 +79,14 @@ def test_being_run_into_is_no_contact_of_the_robots_and_pushing_on_is_one():
     pushing = [hit(3.0 + 0.01 * tick) for tick in range(100)]
     assert len(touched(moment(0.0, seen=1.087), moment(4.0, 0.8, hits=pushing))) == 1
     assert len(touched(moment(0.0, seen=1.087), moment(4.0, 0.8, hits=[*pushing, hit(5.0)]))) == 2
+
+
+def test_who_has_walked_into_a_robot_that_stood_is_not_touched_by_its_leaving():
+    walks_in = [hit(2.0 + 0.01 * tick, 0.0, 0.005 * tick) for tick in range(50)]
+    leaving = [hit(2.5 + 0.01 * tick, 0.1, 0.25 - 0.005 * tick) for tick in range(50)]
+    assert touched(moment(0.0, seen=1.087), moment(4.0, 0.8, hits=[*walks_in, *leaving])) == []
+    assert len(touched(moment(0.0, seen=1.087), moment(4.0, 0.8, hits=[*walks_in, *leaving, hit(3.6)]))) == 1
+    assert len(touched(moment(0.0, seen=1.087), moment(4.0, 0.8, hits=[hit(1.9, 0.1, 0.02), *walks_in]))) == 1
 
 
 def test_the_greatest_safe_factor_is_that_of_stopping_before_the_wall():

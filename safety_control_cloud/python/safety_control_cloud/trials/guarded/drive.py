@@ -88,4 +88,4 @@ def _hits(robot: TurtleBot, now: float) -> Iterator[Hit]:
     """By the wheels' speed toward each contact: they slip where the robot cannot go on."""
     for contact in robot.contacts:
         point, normal = contact.point[:2], contact.normal[:2]
-        yield Hit(now, contact.obstacle, point, point_speed(robot.base.velocity, robot.pose, point, normal))
+        yield Hit(now, contact.obstacle, point, point_speed(robot.base.velocity, robot.pose, point, normal), contact.depth)

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray  # not in the numpy of Ubuntu 20.04
 
 CAUSED_ABOVE = 0.01  # [m/s] of the hull toward what it touches
+WALKED_IN = 0.02  # [m] deep in the hull: the robot stays where it touches, and comes no deeper in a tick
 APART = 0.5  # [s] without touching a thing, after which touching it is another touch
 REACTION = 0.2  # [s] of the law, for a cloud as fresh as it comes: sensor_period, latency, base_reaction
 MARGIN = 0.05  # [m] the guard's default
@@ -44,6 +45,7 @@ class Hit:
     thing: str
     point: tuple[float, float]  # [m] in the world
     approach: float  # [m/s] of the robot toward it
+    depth: float = 0.0  # [m] of it in the hull
 
 
 @dataclass(frozen=True)
@@ -152,6 +154,9 @@ class Judge:
             self._safe, self._whole, self._lost, self.arrived, alone.arrived if alone else None, alone.clearance if alone else None)
 
     def _note(self, hit: Hit, moment: Moment) -> None:
+        if hit.depth > WALKED_IN:  # nobody walks through a robot that stands, but here; what it does then is no other touch
+            self._touching[hit.thing] = hit.time
+            return
         if hit.approach <= CAUSED_ABOVE:
             return
         if hit.time - self._touching.get(hit.thing, -APART) >= APART:
