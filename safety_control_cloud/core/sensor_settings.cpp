@@ -42,6 +42,7 @@ Settings sensor_settings(const Settings& own, double facing) {
   sensor.frame_corridor.left = robot.left + footprint.margin;
   sensor.frame_corridor.right = robot.right + footprint.margin;
   sensor.limits = {robot.front + own.limits.warning, robot.front + own.limits.danger};
+  sensor.near_loss.stands = false;
   if (own.input == InputKind::Scan) {  // it measures from range_min on, to all sides
     sensor.corridor.range_min = std::numeric_limits<float>::lowest();
     sensor.near_loss.distance = 0.0;

@@ -158,7 +158,9 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
   ground_.look_at(picture, outlook, near_distance());
   remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels}, 1, patience);
   const auto low = low_.judge(ground_, picture, outlook, patience);
-  auto loss = nearer(low, lost(outlook));
+  const auto thing = lost(outlook);
+  note_backdrop(picture, outlook, thing && thing->whole ? Backdrop::Robot::Stands : Backdrop::Robot::Moves);
+  auto loss = nearer(low, thing);
   auto covered = floor_.covered();
   if (!covered.empty()) {
     loss = Loss{Cause::NearLoss, std::nullopt, true,
@@ -169,6 +171,12 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
     loss->spots = lost_spots(outlook);
   }
   return loss;
+}
+
+/// Where a guard's robot goes on, what never returns moves in its picture, and would be taken for what it lost.
+void NearLoss::note_backdrop(const Pixels& picture, const Outlook& outlook, Backdrop::Robot robot) {
+  if (!limits_.stands) return;
+  backdrop_.note(picture, axis_of(outlook), robot);
 }
 
 /// What hides the floor is noticed by itself only in a picture: here the floor has to be seen for longer, since strays
@@ -200,7 +208,7 @@ void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, 
     return !ground_.is_near(i) && floor_.is_seen_again(i, clouds_of_floor > 1);
   };
   const ThingsMemory::NearFloor floor{is_seen_again, floor_.rows(), clouds_of_floor};
-  things_.update(std::move(things), search.picture, floor, near_distance(), axis_of(search.outlook));
+  things_.update(std::move(things), search.picture, floor, backdrop_, near_distance(), axis_of(search.outlook));
   things_.forget_old(patience);
 }
 
@@ -239,6 +247,8 @@ bool NearLoss::move_to(const Frame& frame) {
   frame_ = frame;
   floor_ = FloorStrip{};
   margins_ = Margins{};
+  backdrop_ = Backdrop{};
+  things_.stay();
   return true;
 }
 

@@ -6,6 +6,7 @@
 
 #include "../input/runs.hpp"
 #include "../look/sight.hpp"
+#include "backdrop.hpp"
 #include "floor_strip.hpp"
 #include "frame.hpp"
 #include "loss.hpp"
@@ -69,6 +70,7 @@ class NearLoss {
   bool note_picture(const View& view, const Sight& sight, const Outlook& outlook);
   bool note_points(const View& view, const Outlook& outlook);
   bool note(const NearSearch& search);
+  void note_backdrop(const Pixels& picture, const Outlook& outlook, Backdrop::Robot robot);
   Pixels framed(const View& view, const Outlook& outlook);
   bool shows_near(const Sight& sight, const Outlook& outlook) const;
   void remember(const NearSearch& search, std::uint8_t clouds_of_floor, const Patience& patience);
@@ -90,6 +92,7 @@ class NearLoss {
   LowObstacles low_;
   Raster raster_;
   Margins margins_;
+  Backdrop backdrop_;
   ThingsMemory things_;
   std::optional<double> lost_since_;  ///< [s] anything, without a break
   std::string text_;

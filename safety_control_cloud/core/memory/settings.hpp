@@ -13,6 +13,9 @@ struct NearLossLimits {
   /// [m] nearer than this the sensor returns nothing. What comes so near is kept, whatever `distance` is.
   double blind_range = 0.4;
 
+  /// The robot does while anything is lost that may be too near to be seen, so that its picture rests; not a guard's.
+  bool stands = true;
+
   static constexpr double farthest = 2.7;  ///< [m] that the distance may be
 };
 

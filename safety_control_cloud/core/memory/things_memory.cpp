@@ -73,15 +73,29 @@ void ThingsMemory::scale_sizes(double by) {
   for_each_spot([by](Spot& spot) { spot.share = static_cast<float>(by * double{spot.share}); });
 }
 
-void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor, float near,
-                          const Axis& axis) {
+void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor,
+                          const Backdrop& backdrop, float near, const Axis& axis) {
   auto before = follow(std::move(seen));
   for (std::size_t i = 0; i < things_.size(); ++i) lose(things_[i], std::move(before[i]));
   unlearn_blind_range();
   const bool rest = !axis_ || are_same(*axis_, axis, rests);
+  std::optional<std::vector<Backdrop::Place>> hidden;  // asked for once, if at all
+  const auto follow_hole = [&](Remembered& thing) {
+    if (!hidden) hidden = backdrop.hidden_in(picture);
+    stay_in_hole(thing, thing.moved->spots_in(*hidden, backdrop.pixels_each(), picture.width()));
+  };
   for (Remembered& thing : things_) {
     note_vanished(thing, picture, near);
-    if (rest) ask(thing, picture, floor, axis);
+    if (!rest || thing.lost.empty()) continue;
+    if (thing.moved) {
+      if (backdrop.looks_along(axis)) follow_hole(thing);
+      continue;
+    }
+    const auto hanging = nearest_hanging(thing.lost);
+    const double size = thing.freed + size_of(thing.lost);
+    ask(thing, picture, floor, axis);
+    if (hanging && thing.lost.empty() && !thing.is_seen()) thing.moved = Moved{*hanging, size};
+    if (thing.moved) follow_hole(thing);
   }
   axis_ = axis;
   drop_empty();
@@ -123,8 +137,10 @@ void ThingsMemory::forget_old(const Patience& patience) {
     if (!spot.lost_since) spot.lost_since = patience.now;
     return patience.ends(*spot.lost_since);
   };
-  for (Remembered& thing : things_)
+  for (Remembered& thing : things_) {
+    if (thing.moved) is_old(thing.moved->from);
     thing.lost.erase(std::remove_if(thing.lost.begin(), thing.lost.end(), is_old), thing.lost.end());
+  }
 }
 
 /// Of what is farther away than near, keeps what has vanished in mid-air.
@@ -204,6 +220,17 @@ std::vector<Thing> ThingsMemory::follow(std::vector<Thing> seen) {
 void ThingsMemory::lose(Remembered& thing, Thing before) {
   const bool was_noise = thing.is_slight && thing.clouds < 2;
   if (!was_noise) append(thing.lost, std::move(before.spots));
+}
+
+/// As long as there is one. Its spots are not asked: it may have left most of them.
+void ThingsMemory::stay_in_hole(Remembered& thing, std::vector<Spot> spots) {
+  thing.moved->clouds_gone = spots.empty() ? thing.moved->clouds_gone + 1 : 0;
+  if (spots.empty() && thing.moved->clouds_gone < clouds_to_go) return;
+  thing.lost = std::move(spots);
+}
+
+void ThingsMemory::stay() {
+  for (Remembered& thing : things_) thing.moved.reset();
 }
 
 void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Axis& axis) {
