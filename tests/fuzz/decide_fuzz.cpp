@@ -82,20 +82,31 @@ class World {
     const CloudView cloud = cloud_of(points, picture);
     const bool says_too_close = std::any_of(picture.z.begin(), picture.z.end(), is_minus_inf);
     const bool must_stand = shown_.stands_for(picture);
-    const Decision decision = see(cloud, says_too_close ? Reading(cloud) : Reading(image_of(picture)), step);
+    const Reading depth = says_too_close ? Reading(cloud) : Reading(image_of(picture));
+    const std::size_t width_before = std::exchange(width_, picture.width);
+    const std::size_t height_before = std::exchange(height_, picture.height);
+    const bool of_same_size = width_before == width_ && height_before == height_;
+    const Decision decision = of_same_size ? see(cloud, depth, step) : see_in_another_size(cloud, depth, step);
     require(!must_stand || decision.speed == 0.0, "what was near and was not seen to go is not forgotten");
     if (step.placing % 8 == 7 || !keeps(one_pass_.settings())) return shown_.forget();
     if (has_looked(decision)) shown_.note(picture);
   }
 
   void see(const Reading& cloud, const Step& step) {
-    see(cloud, cloud, step);
+    see_in_another_size(cloud, cloud, step);
+    width_ = height_ = 0;
     shown_.forget();
   }
 
+  /// Where in it lies what is remembered a depth image tells at once, and a cloud only by enough returns.
+  Decision see_in_another_size(const Reading& cloud, const Reading& depth, const Step& step) {
+    require_safe(by_depth_.decide(depth, origin_of(step), now_), one_pass_.settings());
+    by_depth_ = one_pass_;
+    return see(cloud, cloud, step);
+  }
+
   Decision see(const Reading& cloud, const Reading& depth, const Step& step) {
-    const Origin origin{now_.ros - step.stamp_age / 1000.0, placing_of(step.placing, one_pass_.settings()),
-                        one_of<const char*>({"camera", "camera", "", "another"}, step.source), "frame"};
+    const Origin origin = origin_of(step);
     const Crop crop = step.crop % 2 ? Crop::Keep : Crop::Skip;
     const Decision decision = one_pass_.decide(cloud, origin, now_, crop);
     require_same(decision, pcl_.decide(cloud, origin, now_, crop));
@@ -104,9 +115,15 @@ class World {
     return decision;
   }
 
+  Origin origin_of(const Step& step) const {
+    return {now_.ros - step.stamp_age / 1000.0, placing_of(step.placing, one_pass_.settings()),
+            one_of<const char*>({"camera", "camera", "", "another"}, step.source), "frame"};
+  }
+
   std::array<SafetyControl*, 3> all() { return {&one_pass_, &pcl_, &by_depth_}; }
 
   SafetyControl one_pass_, pcl_, by_depth_;
+  std::size_t width_ = 0, height_ = 0;  ///< of the latest picture
   Shown shown_;
   Instant now_{100.0, 1000.0};
 };
