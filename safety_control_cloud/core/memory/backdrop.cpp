@@ -16,6 +16,8 @@ constexpr std::size_t few = 2;
 /// What a place is known for by its latest pictures: each return adds one, each that is missing takes one. Who passes
 /// is not taken for what is behind, nor one stray for a return.
 constexpr std::int8_t surely = 3, known = 2;
+/// So many pictures more, for who comes to stand where nothing has returned is not what is behind.
+constexpr std::int8_t surely_blank = -12;
 /// Pictures that show something nearer until that is what is behind.
 constexpr std::uint8_t nearer_for_good = 3;
 /// [m] By so much more or less, and by this share of its range, a return is where it was in the picture before; what
@@ -42,6 +44,11 @@ struct Backdrop::Shown {
   bool is_full() const { return returns >= dense; }
 };
 
+bool Backdrop::Part::holds(std::size_t row, std::size_t column) const {
+  const double at_row = static_cast<double>(row), at_column = static_cast<double>(column);
+  return at_row >= first_row && at_row <= last_row && at_column >= first_column && at_column <= last_column;
+}
+
 bool Backdrop::Cell::is_known() const { return returns >= known; }
 
 Backdrop::Place Backdrop::place_of(std::size_t cell) const {
@@ -62,9 +69,8 @@ Backdrop::Shown Backdrop::shown_at(const Pixels& picture, std::size_t cell) cons
   return shown;
 }
 
-void Backdrop::note(const Pixels& picture, const Axis& axis, Robot robot) {
-  const bool stands = robot == Robot::Stands;
-  if (stands && !looks_along(axis)) return;
+void Backdrop::note(const Pixels& picture, const Axis& axis, const std::vector<Part>& lost) {
+  if (!lost.empty() && !looks_along(axis)) return;
   const std::size_t step = std::max(least_step, (picture.width() + most_columns - 1) / most_columns);
   const std::size_t columns = picture.width() / step, cells = columns * (picture.height() / step);
   if (cells == 0) return;
@@ -76,20 +82,22 @@ void Backdrop::note(const Pixels& picture, const Axis& axis, Robot robot) {
   const std::size_t rows = cells_.size() / columns_;
   for (std::size_t row = next_row_; row < rows; row += rows_apart) {
     Cell* cell = &cells_[row * columns_];
-    for (std::size_t i = 0; i < columns_; ++i, ++cell) note_at(*cell, picture.at(middle(row), middle(i)), robot);
+    for (std::size_t i = 0; i < columns_; ++i, ++cell) {
+      const auto holds_it = [&](const Part& part) { return part.holds(middle(row), middle(i)); };
+      note_at(*cell, picture.at(middle(row), middle(i)), std::any_of(lost.begin(), lost.end(), holds_it));
+    }
   }
 }
 
-void Backdrop::note_at(Cell& cell, const Point& point, Robot robot) {
-  const bool stands = robot == Robot::Stands;
-  if (stands && cell.returns < 0) return;  // it returned nothing before the robot stood, and is no hole in anything
+void Backdrop::note_at(Cell& cell, const Point& point, bool rests) {
+  if (rests && cell.returns < 0) return;  // it returned nothing before, and is no hole in anything
   if (!returned(point)) {
-    const int least = stands ? 0 : -surely;
-    if (!stands || !cell.is_known()) cell.returns = static_cast<std::int8_t>(std::max(cell.returns - 1, least));
+    const int least = rests ? 0 : surely_blank;
+    if (!rests || !cell.is_known()) cell.returns = static_cast<std::int8_t>(std::max(cell.returns - 1, least));
     return;
   }
   const bool is_nearer = cell.is_known() && point.z < (1.0f - agreement) * cell.behind.z;
-  if (is_nearer && (stands || ++cell.nearer_for < nearer_for_good)) return;
+  if (is_nearer && (rests || ++cell.nearer_for < nearer_for_good)) return;
   const bool moves = std::abs(point.z - cell.behind.z) > robots_way + noise_share * point.z;
   cell.behind = point;
   if (moves) cell.returns = std::min<std::int8_t>(cell.returns, 0);

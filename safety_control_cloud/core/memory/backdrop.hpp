@@ -20,11 +20,16 @@ class Backdrop {
     float right = 0.0f, down = 0.0f;  ///< of straight ahead, per metre
   };
 
-  enum class Robot { Moves, Stands };
+  /// Some of the picture's rows and columns, the last ones with it.
+  struct Part {
+    double first_row = 0.0, last_row = 0.0, first_column = 0.0, last_column = 0.0;
 
-  /// The next picture. While the robot stands for something that is lost, its picture rests: what it does not show any
-  /// more is hidden.
-  void note(const Pixels& picture, const Axis& axis, Robot robot);
+    bool holds(std::size_t row, std::size_t column) const;
+  };
+
+  /// The next picture. What is known behind and around what is `lost`, for which the robot stands, rests: what the
+  /// picture does not show there any more is hidden. Elsewhere it has gone, as it has where the robot drives on.
+  void note(const Pixels& picture, const Axis& axis, const std::vector<Part>& lost);
 
   /// Where a picture shows a hole in what is behind, which goes on beside it. A shadow is none, since what casts it is
   /// seen beside it, nor is what has never returned.
@@ -59,7 +64,7 @@ class Backdrop {
   /// Of a column or row of the lattice, in the picture.
   std::size_t middle(std::size_t i) const { return step_ / 2 + i * step_; }
   Place place_of(std::size_t cell) const;
-  static void note_at(Cell& cell, const Point& point, Robot robot);
+  static void note_at(Cell& cell, const Point& point, bool rests);
   Shown shown_at(const Pixels& picture, std::size_t cell) const;
   End end_of(const std::vector<Shown>& shown, const Line& line, std::ptrdiff_t at, std::ptrdiff_t outward,
              std::size_t last) const;

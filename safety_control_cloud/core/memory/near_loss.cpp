@@ -28,6 +28,9 @@ constexpr double cut_off = 0.05;
 /// So much farther than what counts, things are watched.
 constexpr double watched = 1.6;
 
+/// So far around what is lost it may have swung while a part of it still hides its old place [m].
+constexpr double swing = 0.02;
+
 constexpr double write_period = 0.25;  // [s]
 
 constexpr const char* what_frees =
@@ -47,6 +50,21 @@ bool is_picture(const View& view) {
 
 Point place_of(const Spot& spot, const Outlook& outlook) {
   return spot.place ? *spot.place : placed(spot.point, outlook);
+}
+
+/// Of the picture: these spots, and so far around them as they may move before they are seen past.
+Backdrop::Part part_of(const std::vector<Spot>& spots, std::size_t width) {
+  Backdrop::Part part{spots[0].row * 1.0, spots[0].row * 1.0, spots[0].column * 1.0, spots[0].column * 1.0};
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Spot& spot : spots) {
+    part.first_row = std::min(part.first_row, spot.row * 1.0), part.last_row = std::max(part.last_row, spot.row * 1.0);
+    part.first_column = std::min(part.first_column, spot.column * 1.0);
+    part.last_column = std::max(part.last_column, spot.column * 1.0);
+    nearest = std::min(nearest, double{spot.point.z});
+  }
+  const double around = swing / nearest * static_cast<double>(width);
+  part.first_row -= around, part.last_row += around, part.first_column -= around, part.last_column += around;
+  return part;
 }
 
 bool is_in_sight(const Loss& loss) { return loss.cause == Cause::LowObstacle && !loss.whole; }
@@ -159,7 +177,7 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
   remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels}, 1, patience);
   const auto low = low_.judge(ground_, picture, outlook, patience);
   const auto thing = lost(outlook);
-  note_backdrop(picture, outlook, thing && thing->whole ? Backdrop::Robot::Stands : Backdrop::Robot::Moves);
+  note_backdrop(picture, outlook, thing && thing->whole);
   auto loss = nearer(low, thing);
   auto covered = floor_.covered();
   if (!covered.empty()) {
@@ -174,9 +192,12 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
 }
 
 /// Where a guard's robot goes on, what never returns moves in its picture, and would be taken for what it lost.
-void NearLoss::note_backdrop(const Pixels& picture, const Outlook& outlook, Backdrop::Robot robot) {
+void NearLoss::note_backdrop(const Pixels& picture, const Outlook& outlook, bool stands) {
   if (!limits_.stands) return;
-  backdrop_.note(picture, axis_of(outlook), robot);
+  std::vector<Backdrop::Part> lost;
+  for (const Remembered& thing : things_.things())
+    if (stands && !thing.lost.empty()) lost.push_back(part_of(thing.lost, picture.width()));
+  backdrop_.note(picture, axis_of(outlook), lost);
 }
 
 /// What hides the floor is noticed by itself only in a picture: here the floor has to be seen for longer, since strays

@@ -70,7 +70,7 @@ class NearLoss {
   bool note_picture(const View& view, const Sight& sight, const Outlook& outlook);
   bool note_points(const View& view, const Outlook& outlook);
   bool note(const NearSearch& search);
-  void note_backdrop(const Pixels& picture, const Outlook& outlook, Backdrop::Robot robot);
+  void note_backdrop(const Pixels& picture, const Outlook& outlook, bool stands);
   Pixels framed(const View& view, const Outlook& outlook);
   bool shows_near(const Sight& sight, const Outlook& outlook) const;
   void remember(const NearSearch& search, std::uint8_t clouds_of_floor, const Patience& patience);
