@@ -52,14 +52,15 @@ Point place_of(const Spot& spot, const Outlook& outlook) {
   return spot.place ? *spot.place : placed(spot.point, outlook);
 }
 
-/// Of the picture: these spots, and so far around them as they may move before they are seen past.
+/// Of the picture: these spots, and so far around them as they may swing before they are seen past.
 Backdrop::Part part_of(const std::vector<Spot>& spots, std::size_t width) {
-  Backdrop::Part part{spots[0].row * 1.0, spots[0].row * 1.0, spots[0].column * 1.0, spots[0].column * 1.0};
-  double nearest = std::numeric_limits<double>::infinity();
+  constexpr double most = std::numeric_limits<double>::infinity();
+  Backdrop::Part part{most, -most, most, -most};
+  double nearest = most;
   for (const Spot& spot : spots) {
-    part.first_row = std::min(part.first_row, spot.row * 1.0), part.last_row = std::max(part.last_row, spot.row * 1.0);
-    part.first_column = std::min(part.first_column, spot.column * 1.0);
-    part.last_column = std::max(part.last_column, spot.column * 1.0);
+    const double row = spot.row, column = spot.column;
+    part.first_row = std::min(part.first_row, row), part.last_row = std::max(part.last_row, row);
+    part.first_column = std::min(part.first_column, column), part.last_column = std::max(part.last_column, column);
     nearest = std::min(nearest, double{spot.point.z});
   }
   const double around = swing / nearest * static_cast<double>(width);

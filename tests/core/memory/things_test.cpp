@@ -146,5 +146,24 @@ TEST_P(Sent, ChangeOfTheCorridorJudgesWhatIsLostAgain) {
   EXPECT_EQ(sees(Scene({blind})).speed, 0.0) << "a change of the distance forgets nothing";
 }
 
+/// Of a picture, since what is left of a cloud that is not organised is told from its usual rays.
+TEST(Things, AreSeenToGoWithin1_5SecondsThoughThreePixelsInTenReturnNothing) {
+  for (const float width : {0.1f, 0.3f, 0.6f}) {
+    for (unsigned seed = 0; seed < 4; ++seed) {
+      std::mt19937 random(seed);
+      Robot robot;
+      const auto sees = [&](const std::vector<Board>& boards) { return robot.sees(Scene(boards).drop(0.3, random)); };
+      const auto hanging = [&](float z) { return Board{z, -width / 2, width / 2, -0.15f, 0.1f}; };
+      for (int i = 0; i < 20; ++i) sees({wall});
+      for (float z = 1.0f; z > 0.36f; z -= 0.03f) sees({hanging(z), wall});
+      for (int i = 0; i < 100; ++i)
+        ASSERT_EQ(sees({hanging(0.34f), wall}).cause, Cause::NearLoss) << width << ", " << i;
+      int clouds = 0;
+      while (clouds < 100 && sees({wall}).speed < 0.2) ++clouds;
+      EXPECT_LE(clouds, 30) << width << ", " << seed;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace safety_control_cloud
