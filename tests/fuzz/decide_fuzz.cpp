@@ -81,49 +81,45 @@ class World {
     const std::vector<float> points = points_of(picture);
     const CloudView cloud = cloud_of(points, picture);
     const bool says_too_close = std::any_of(picture.z.begin(), picture.z.end(), is_minus_inf);
+    note_size(picture);
     const bool must_stand = shown_.stands_for(picture);
-    const Reading depth = says_too_close ? Reading(cloud) : Reading(image_of(picture));
-    const std::size_t width_before = std::exchange(width_, picture.width);
-    const std::size_t height_before = std::exchange(height_, picture.height);
-    const bool of_same_size = width_before == width_ && height_before == height_;
-    const Decision decision = of_same_size ? see(cloud, depth, step) : see_in_another_size(cloud, depth, step);
+    const Decision decision = see(cloud, says_too_close ? Reading(cloud) : Reading(image_of(picture)), step);
     require(!must_stand || decision.speed == 0.0, "what was near and was not seen to go is not forgotten");
     if (step.placing % 8 == 7 || !keeps(one_pass_.settings())) return shown_.forget();
     if (has_looked(decision)) shown_.note(picture);
   }
 
   void see(const Reading& cloud, const Step& step) {
-    see_in_another_size(cloud, cloud, step);
-    width_ = height_ = 0;
+    see(cloud, cloud, step);
     shown_.forget();
   }
 
-  /// Where in it lies what is remembered a depth image tells at once, and a cloud only by enough returns.
-  Decision see_in_another_size(const Reading& cloud, const Reading& depth, const Step& step) {
-    require_safe(by_depth_.decide(depth, origin_of(step), now_), one_pass_.settings());
-    by_depth_ = one_pass_;
-    return see(cloud, cloud, step);
-  }
-
   Decision see(const Reading& cloud, const Reading& depth, const Step& step) {
-    const Origin origin = origin_of(step);
+    const Origin origin{now_.ros - step.stamp_age / 1000.0, placing_of(step.placing, one_pass_.settings()),
+                        one_of<const char*>({"camera", "camera", "", "another"}, step.source), "frame"};
     const Crop crop = step.crop % 2 ? Crop::Keep : Crop::Skip;
     const Decision decision = one_pass_.decide(cloud, origin, now_, crop);
     require_same(decision, pcl_.decide(cloud, origin, now_, crop));
-    require_same(decision, by_depth_.decide(depth, origin, now_, crop));
+    const Decision by_depth = by_depth_.decide(depth, origin, now_, crop);
+    if (is_of_one_size_) require_same(decision, by_depth);
+    require_safe(by_depth, by_depth_.settings());
     require_safe(decision, one_pass_.settings());
     return decision;
   }
 
-  Origin origin_of(const Step& step) const {
-    return {now_.ros - step.stamp_age / 1000.0, placing_of(step.placing, one_pass_.settings()),
-            one_of<const char*>({"camera", "camera", "", "another"}, step.source), "frame"};
+  /// Where in a picture of another size lies what is remembered, a depth image tells at once, and a cloud only by
+  /// enough returns: one may stand for what the other still sees.
+  void note_size(const Depths& picture) {
+    const bool is_first = width_ == 0 && height_ == 0;
+    is_of_one_size_ = is_of_one_size_ && (is_first || (picture.width == width_ && picture.height == height_));
+    width_ = picture.width, height_ = picture.height;
   }
 
   std::array<SafetyControl*, 3> all() { return {&one_pass_, &pcl_, &by_depth_}; }
 
   SafetyControl one_pass_, pcl_, by_depth_;
   std::size_t width_ = 0, height_ = 0;  ///< of the latest picture
+  bool is_of_one_size_ = true;          ///< all that have been seen
   Shown shown_;
   Instant now_{100.0, 1000.0};
 };
