@@ -26,4 +26,7 @@ inline bool are_same(const Axis& a, const Axis& b, float least) {
   return cosine(a.ahead, b.ahead) > least && cosine(a.right, b.right) > least;
 }
 
+/// Cosine: by so much, 1 degree, a camera may have turned for its picture to show the same places.
+constexpr float same_axis = 0.99985f;
+
 }  // namespace safety_control_cloud

@@ -27,7 +27,6 @@ constexpr float robots_way = 0.08f, noise_share = 0.02f;
 constexpr float agreement = 0.2f;
 /// So many places at the edge of a hole may be neither.
 constexpr std::ptrdiff_t edge = 2;
-constexpr float same_axis = 0.99985f;  ///< cosine: 1 degree
 
 enum Mark : std::uint8_t { InBackdrop = 1, BesideOther = 2 };
 

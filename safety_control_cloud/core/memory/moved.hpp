@@ -25,4 +25,8 @@ struct Moved {
 /// The nearest of those that were seen to hang: who stands has his place on the floor.
 std::optional<Spot> nearest_hanging(const std::vector<Spot>& spots);
 
+/// Of the picture, which is `width` pixels wide: where these lie, and so far around as they may swing before they are
+/// seen past.
+Backdrop::Part part_around(const std::vector<Spot>& spots, std::size_t width);
+
 }  // namespace safety_control_cloud

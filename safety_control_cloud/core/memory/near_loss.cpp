@@ -28,9 +28,6 @@ constexpr double cut_off = 0.05;
 /// So much farther than what counts, things are watched.
 constexpr double watched = 1.6;
 
-/// So far around what is lost it may have swung while a part of it still hides its old place [m].
-constexpr double swing = 0.02;
-
 constexpr double write_period = 0.25;  // [s]
 
 constexpr const char* what_frees =
@@ -50,22 +47,6 @@ bool is_picture(const View& view) {
 
 Point place_of(const Spot& spot, const Outlook& outlook) {
   return spot.place ? *spot.place : placed(spot.point, outlook);
-}
-
-/// Of the picture: these spots, and so far around them as they may swing before they are seen past.
-Backdrop::Part part_of(const std::vector<Spot>& spots, std::size_t width) {
-  constexpr double most = std::numeric_limits<double>::infinity();
-  Backdrop::Part part{most, -most, most, -most};
-  double nearest = most;
-  for (const Spot& spot : spots) {
-    const double row = spot.row, column = spot.column;
-    part.first_row = std::min(part.first_row, row), part.last_row = std::max(part.last_row, row);
-    part.first_column = std::min(part.first_column, column), part.last_column = std::max(part.last_column, column);
-    nearest = std::min(nearest, double{spot.point.z});
-  }
-  const double around = swing / nearest * static_cast<double>(width);
-  part.first_row -= around, part.last_row += around, part.first_column -= around, part.last_column += around;
-  return part;
 }
 
 bool is_in_sight(const Loss& loss) { return loss.cause == Cause::LowObstacle && !loss.whole; }
@@ -197,7 +178,7 @@ void NearLoss::note_backdrop(const Pixels& picture, const Outlook& outlook, bool
   if (!limits_.stands) return;
   std::vector<Backdrop::Part> lost;
   for (const Remembered& thing : things_.things())
-    if (stands && !thing.lost.empty()) lost.push_back(part_of(thing.lost, picture.width()));
+    if (stands && !thing.lost.empty()) lost.push_back(part_around(thing.lost, picture.width()));
   backdrop_.note(picture, axis_of(outlook), lost);
 }
 

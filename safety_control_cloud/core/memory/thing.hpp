@@ -17,6 +17,8 @@ constexpr double growth = 0.25;
 /// What juts out over what is seen below it by this much hangs before that; by less it may lean [m].
 constexpr float clear_overhang = 0.02f;
 
+constexpr std::size_t most_lost = 240;  ///< spots of one thing
+
 /// A pixel in which a thing was seen, and what the picture is asked about there.
 struct Spot {
   std::uint16_t row = 0, column = 0;

@@ -19,13 +19,10 @@ constexpr double same_size = 0.85;
 constexpr unsigned clouds_to_go = 3;
 /// Nearly all of a thing, and a small part of one.
 constexpr double nearly = 0.85, few = 0.25;
-constexpr std::size_t most_lost = 240;  ///< spots of one thing
 /// Of the picture, at least 1/share is a fair extent.
 constexpr double fair_share = 500;
 
-/// Cosines: by how much a camera may have turned for its picture to show the same places (1 degree), and from one
-/// picture to the next (0.3 degrees) for it to rest.
-constexpr float same_axis = 0.99985f, rests = 0.999986f;
+constexpr float rests = 0.999986f;  ///< cosine: by how much a camera turns from one picture to the next, 0.3 degrees
 
 /// [m2] of them where the picture says nothing, though it shows the place.
 double blank_in(const std::vector<Spot>& spots, const Pixels& picture) {

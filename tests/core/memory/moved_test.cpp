@@ -60,5 +60,14 @@ TEST(Moved, NearestOfWhatHung) {
   EXPECT_FLOAT_EQ(nearest_hanging({spot(0.5f), spot(0.3f, true), spot(0.4f)})->point.z, 0.4f);
 }
 
+TEST(Moved, LiesWithinTwoCentimetresOfWhereItWasLost) {
+  Spot one = spot(0.4f), other = spot(0.8f);  // 2 cm are 32 pixels at the nearer
+  one.row = 100, one.column = 200;
+  other.row = 110, other.column = 250;
+  const Backdrop::Part part = part_around({one, other}, width);
+  for (const std::size_t row : {69u, 141u}) EXPECT_TRUE(part.holds(row, 169) && part.holds(row, 281)) << row;
+  EXPECT_FALSE(part.holds(67, 200) || part.holds(143, 200) || part.holds(105, 167) || part.holds(105, 283));
+}
+
 }  // namespace
 }  // namespace safety_control_cloud
