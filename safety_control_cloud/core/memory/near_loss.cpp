@@ -118,14 +118,19 @@ bool NearLoss::note_picture(const View& view, const Sight& sight, const Outlook&
 }
 
 bool NearLoss::note_points(const View& view, const Outlook& outlook) {
-  const View raster = raster_.picture_of_few(view, outlook.corridor);
-  Pixels picture(raster, outlook.corridor.range_min);
+  const InRaster shown = look_at_raster(raster_.picture_of_few(view, outlook.corridor), outlook, nullptr, nullptr);
+  return note({shown.picture, outlook, shown.sight.nearest_in_rows, watched_distance(), shown.least_pixels});
+}
+
+/// In the frame that the raster has from then on.
+NearLoss::InRaster NearLoss::look_at_raster(const View& raster, const Outlook& outlook, const RayHits* hits,
+                                            const UsualCells* usual) {
+  Pixels picture(raster, outlook.corridor.range_min, hits, usual);
   picture.frame(raster_.framing());
   move_to({picture.width(), picture.height(), raster_.rays()});
   ground_.look_at(picture, outlook, near_distance());
-  const Sight in_raster = look(raster, outlook, Crop::Skip, Rows::Apart);
-  const std::size_t least = std::min(least_pixels, 1 + raster_.filled() / pixels_of_few);
-  return note({picture, outlook, in_raster.nearest_in_rows, watched_distance(), least});
+  return {picture, look(raster, outlook, Crop::Skip, Rows::Apart),
+          std::min(least_pixels, 1 + raster_.filled() / pixels_of_few)};
 }
 
 bool NearLoss::note(const NearSearch& search) {
@@ -191,14 +196,9 @@ std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight,
   const View raster = raster_.picture_of(view, outlook.corridor, !free);
   if (free) return std::nullopt;
   const bool sparse = 10 * raster_.filled() > 7 * sight.returns;
-  Pixels picture(raster, outlook.corridor.range_min, sparse ? nullptr : &raster_.hits(), &raster_.usual());
-  picture.frame(raster_.framing());
-  move_to({picture.width(), picture.height(), raster_.rays()});
-  ground_.look_at(picture, outlook, near_distance());
-  const std::size_t least = std::min(least_pixels, 1 + raster_.filled() / pixels_of_few);
-  const Sight in_raster = look(raster, outlook, Crop::Skip, Rows::Apart);
-  remember({picture, outlook, in_raster.nearest_in_rows, watched_distance(), least, sparse}, FloorStrip::lately,
-           patience);
+  const InRaster shown = look_at_raster(raster, outlook, sparse ? nullptr : &raster_.hits(), &raster_.usual());
+  remember({shown.picture, outlook, shown.sight.nearest_in_rows, watched_distance(), shown.least_pixels, sparse},
+           FloorStrip::lately, patience);
   return lost(outlook);
 }
 

@@ -69,6 +69,14 @@ class NearLoss {
                                    const Patience& patience);
   bool note_picture(const View& view, const Sight& sight, const Outlook& outlook);
   bool note_points(const View& view, const Outlook& outlook);
+  /// What a raster shows.
+  struct InRaster {
+    Pixels picture;
+    Sight sight;
+    std::size_t least_pixels;  ///< fewer are noise
+  };
+
+  InRaster look_at_raster(const View& raster, const Outlook& outlook, const RayHits* hits, const UsualCells* usual);
   bool note(const NearSearch& search);
   void note_backdrop(const Pixels& picture, const Outlook& outlook, bool stands);
   Pixels framed(const View& view, const Outlook& outlook);
