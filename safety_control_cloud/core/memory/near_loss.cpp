@@ -210,7 +210,7 @@ void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, 
     const std::size_t i = ground_.column_at(column);
     return !ground_.is_near(i) && floor_.is_seen_again(i, clouds_of_floor > 1);
   };
-  const ThingsMemory::NearFloor floor{is_seen_again, floor_.rows(), clouds_of_floor};
+  const NearFloor floor{is_seen_again, floor_.rows(), clouds_of_floor};
   things_.update(std::move(things), search.picture, floor, backdrop_, near_distance(), axis_of(search.outlook));
   things_.forget_old(patience);
 }

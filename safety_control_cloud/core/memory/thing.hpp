@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -38,6 +39,12 @@ struct Spot {
 
   bool is_shown() const { return row_shown && column_shown; }
 };
+
+/// [m2] that they stand for.
+inline double size_of(const std::vector<Spot>& spots) {
+  return std::accumulate(spots.begin(), spots.end(), 0.0,
+                         [](double sum, const Spot& spot) { return sum + double{spot.share}; });
+}
 
 /// The lowest pixel of a thing in a column of the picture.
 struct Foot {

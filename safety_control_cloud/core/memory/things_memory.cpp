@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <utility>
 
+#include "evidence.hpp"
 #include "hanging.hpp"
 #include "likeness.hpp"
 
@@ -15,10 +15,6 @@ namespace {
 
 /// Of a thing of which as much is still seen, nothing is lost.
 constexpr double same_size = 0.85;
-/// What is seen past in so many successive clouds has gone.
-constexpr unsigned clouds_to_go = 3;
-/// Nearly all of a thing, and a small part of one.
-constexpr double nearly = 0.85, few = 0.25;
 /// Of the picture, at least 1/share is a fair extent.
 constexpr double fair_share = 500;
 
@@ -33,14 +29,6 @@ double blank_in(const std::vector<Spot>& spots, const Pixels& picture) {
   return blank;
 }
 
-/// What is left of a thing when most of it has gone: which of it is seen past by now, and where a hole is [m2].
-struct Rest {
-  double size = 0.0, past = 0.0, blank = 0.0;
-
-  /// Which may be something else, that went out of sight together with it.
-  bool is_a_hole() const { return 2.0 * blank > size - past; }
-};
-
 void append(std::vector<Spot>& all, std::vector<Spot> some) {
   std::move(some.begin(), some.end(), std::back_inserter(all));
   if (all.size() <= most_lost) return;
@@ -53,11 +41,6 @@ void append(std::vector<Spot>& all, std::vector<Spot> some) {
 }
 
 }  // namespace
-
-double size_of(const std::vector<Spot>& spots) {
-  return std::accumulate(spots.begin(), spots.end(), 0.0,
-                         [](double sum, const Spot& spot) { return sum + double{spot.share}; });
-}
 
 void ThingsMemory::restore(std::vector<Remembered> things, float blind_range) {
   things_ = std::move(things);
@@ -90,7 +73,7 @@ void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const 
     }
     const auto hanging = nearest_hanging(thing.lost);
     const double size = thing.freed + size_of(thing.lost);
-    ask(thing, picture, floor, axis);
+    forgive(thing, picture, floor, axis);
     if (hanging && thing.lost.empty() && !thing.is_seen()) thing.moved = Moved{*hanging, size};
     if (thing.moved) follow_hole(thing);
   }
@@ -228,69 +211,6 @@ void ThingsMemory::stay_in_hole(Remembered& thing, std::vector<Spot> spots) {
 
 void ThingsMemory::stay() {
   for (Remembered& thing : things_) thing.moved.reset();
-}
-
-void ThingsMemory::ask(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Axis& axis) {
-  double leaving = 0.0;  // of those that stay
-  Rest rest, hung_rest;
-  const auto rest_with = [&](const Spot& spot) -> Rest& { return spot.hung_before ? hung_rest : rest; };
-  std::vector<std::size_t> not_seen_past;
-  std::size_t staying = 0;
-  std::vector<Evidence> said(thing.lost.size());
-  std::vector<Spot> seen_past, standing;
-  for (std::size_t i = 0; i < said.size(); ++i) {
-    const Spot& spot = thing.lost[i];
-    said[i] = evidence_of(spot, picture);
-    if (said[i] == Evidence::Past) seen_past.push_back(spot);
-    if (spot.stands) standing.push_back(spot);
-  }
-  const bool between_rays = may_lie_between_rays(std::move(seen_past), picture);
-  const bool floor_between = may_stand_between_rays(std::move(standing), floor.rows, picture);
-  const auto goes = [&](Spot& spot, Evidence evidence) {
-    if (!spot.axis) spot.axis = axis;
-    if (!are_same(*spot.axis, axis, same_axis)) return false;
-    if (evidence == Evidence::Past && between_rays) evidence = Evidence::Nothing;
-    if (spot.lost_for < floor.after) ++spot.lost_for;
-    const auto stood_here = [&] {
-      const bool may_stand = spot.stands && spot.column_shown && spot.lost_for >= floor.after;
-      return may_stand && !floor_between && floor.is_seen_again(spot.column);
-    };
-    if (evidence == Evidence::Past && !thing.is_seen() && leaves_at_the_top(spot, picture) && !stood_here()) {
-      leaving += double{spot.share};
-      return false;
-    }
-    spot.seen_past = evidence == Evidence::Past ? static_cast<std::uint8_t>(spot.seen_past + 1) : std::uint8_t{0};
-    // Seen again, it is a thing that is seen; what comes nearer while a part of it is seen is that thing itself.
-    const bool again =
-        evidence == Evidence::There || (evidence == Evidence::Hidden && thing.is_seen() &&
-                                        picture.near(spot.row, spot.column).z > spot.point.z - farthest_step);
-    if (again) return true;
-    if (spot.seen_past >= clouds_to_go || stood_here()) {
-      thing.freed += double{spot.share};
-      return true;
-    }
-    if (spot.hung_before) hung_rest.size += double{spot.share};
-    if (spot.seen_past > 0) {
-      rest_with(spot).past += double{spot.share};
-    } else {
-      not_seen_past.push_back(staying);
-    }
-    return false;
-  };
-  for (std::size_t i = 0; i < said.size(); ++i) {
-    if (!goes(thing.lost[i], said[i])) std::swap(thing.lost[staying++], thing.lost[i]);
-  }
-  thing.lost.resize(staying);
-  rest.size = size_of(thing.lost) - leaving - hung_rest.size;
-  const double gone = thing.freed + rest.past + hung_rest.past;
-  const bool is_most = gone >= nearly * (thing.freed + rest.size + hung_rest.size) && gone >= few * (gone + leaving);
-  if (!(gone > 0.0) || !is_most) return;
-  for (const std::size_t i : not_seen_past) {
-    const Spot& spot = thing.lost[i];
-    if (between_rays || leaves_a_hole(spot, picture)) rest_with(spot).blank += double{spot.share};
-  }
-  const auto goes_along = [&](const Spot& spot) { return !rest_with(spot).is_a_hole(); };
-  thing.lost.erase(std::remove_if(thing.lost.begin(), thing.lost.end(), goes_along), thing.lost.end());
 }
 
 }  // namespace safety_control_cloud
