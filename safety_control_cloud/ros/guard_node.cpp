@@ -161,7 +161,7 @@ const Guarded& GuardNode::answer() {
     if (!channels_[i]->has_sent()) control_.note_about(i, lost_things_.nothing_seen(channels_[i]->why_nothing_came()));
   }
   for (std::size_t i = 0; i < switches_.size(); ++i) {
-    switches_[i]->hear_anew_if_left();
+    switches_[i]->note_publishers();
     control_.note_about_switch(i, switches_[i]->doubt());
   }
   answered_at_ = now();

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::chrono::seconds period{1};  ///< after which they are asked again
 
-/// The nodes that publish on a topic by the master's books, but for this one; none if it does not answer.
+/// The nodes that publish on a topic by the master's books; none if it does not answer.
 std::optional<std::vector<std::string>> publishers_of(const std::string& topic) {
   XmlRpc::XmlRpcValue request, response, state;
   request[0] = ros::this_node::getName();
@@ -36,12 +36,15 @@ std::optional<std::string> address_of(const std::string& node) {
   return static_cast<std::string>(address);
 }
 
-std::optional<std::vector<std::string>> living_publishers_of(const std::string& topic) {
+std::optional<std::vector<std::string>> living_publishers_of(const std::string& topic, Connected::Self self) {
   const auto all = publishers_of(topic);
   if (!all) return std::nullopt;
   std::vector<std::string> living;
   for (const auto& name : *all) {
-    if (name == ros::this_node::getName()) continue;
+    if (name == ros::this_node::getName()) {
+      if (self == Connected::Self::Counts) living.push_back(name);
+      continue;
+    }
     const auto address = address_of(name);
     if (!address || may_live(*address)) living.push_back(name);
   }
@@ -50,7 +53,8 @@ std::optional<std::vector<std::string>> living_publishers_of(const std::string& 
 
 }  // namespace
 
-Connected::Connected(std::string topic) : topic_(std::move(topic)), thread_([this] { ask(); }) {}
+Connected::Connected(std::string topic, Self self)
+    : topic_(std::move(topic)), self_(self), thread_([this] { ask(); }) {}
 
 Connected::~Connected() {
   {
@@ -61,27 +65,27 @@ Connected::~Connected() {
   thread_.join();
 }
 
-std::vector<std::string> Connected::names(std::size_t others) {
+std::vector<std::string> Connected::names(std::size_t connected) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (others != others_) {
-    others_ = others;
+  if (connected != connected_) {
+    connected_ = connected;
     answer_.reset();
     asked_.notify_all();
   }
-  if (others == 0) return {};
+  if (connected == 0) return {};
   return answer_ ? *answer_ : std::vector<std::string>{"somebody whose name the ROS master has yet to tell"};
 }
 
 void Connected::ask() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!ending_) {
-    if (others_ == 0 || answer_) asked_.wait_for(lock, period);
-    if (ending_ || others_ == 0) continue;
-    const std::size_t others = others_;
+    if (connected_ == 0 || answer_) asked_.wait_for(lock, period);
+    if (ending_ || connected_ == 0) continue;
+    const std::size_t connected = connected_;
     lock.unlock();
-    auto names = living_publishers_of(topic_);
+    auto names = living_publishers_of(topic_, self_);
     lock.lock();
-    if (names && others == others_) answer_ = std::move(names);
+    if (names && connected == connected_) answer_ = std::move(names);
     if (!names) asked_.wait_for(lock, period);
   }
 }

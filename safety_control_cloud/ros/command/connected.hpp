@@ -16,20 +16,24 @@ namespace safety_control_cloud {
 /// Both may take any time to answer, so they are asked from a thread of its own.
 class Connected {
  public:
-  explicit Connected(std::string topic);
+  /// Whether this process is one of them, of which another nodelet may publish.
+  enum class Self { LeftOut, Counts };
+
+  explicit Connected(std::string topic, Self self = Self::LeftOut);
   ~Connected();
 
-  /// Who they are, as far as is known, if this many others are connected now. Returns at once.
-  std::vector<std::string> names(std::size_t others);
+  /// Who they are that live, as far as is known, if this many are connected now. Returns at once.
+  std::vector<std::string> names(std::size_t connected);
 
  private:
   void ask();
 
   const std::string topic_;
+  const Self self_;
   std::mutex mutex_;
   std::condition_variable asked_;
-  std::size_t others_ = 0;
-  std::optional<std::vector<std::string>> answer_;  ///< to the present number of others
+  std::size_t connected_ = 0;
+  std::optional<std::vector<std::string>> answer_;  ///< to the present number of them
   bool ending_ = false;
   std::thread thread_;
 };

@@ -32,7 +32,10 @@ Edge edge_of(const SwitchWord& word, const SwitchSettings& settings) {
 }  // namespace
 
 SwitchInput::SwitchInput(ros::NodeHandle& handle, const SwitchSettings& settings, OnSwitch on_switch)
-    : settings_(settings), on_switch_(std::move(on_switch)), handle_(handle) {
+    : settings_(settings),
+      on_switch_(std::move(on_switch)),
+      handle_(handle),
+      publishers_(handle.resolveName(settings.topic), Connected::Self::Counts) {
   subscribe();
 }
 
@@ -45,13 +48,12 @@ void SwitchInput::subscribe() {
       nullptr, ros::TransportHints().tcpNoDelay());
 }
 
-void SwitchInput::hear_anew_if_left() {
-  const bool is_connected = subscriber_.getNumPublishers() > 0;
-  if (was_connected_ && !is_connected) {
-    unreadable_.reset();
-    subscribe();
-  }
-  was_connected_ = is_connected;
+void SwitchInput::note_publishers() {
+  const bool was_published = is_published_;
+  is_published_ = !publishers_.names(subscriber_.getNumPublishers()).empty();
+  if (!was_published || is_published_) return;
+  unreadable_.reset();
+  subscribe();
 }
 
 void SwitchInput::on_message(const topic_tools::ShapeShifter& message) {
@@ -67,7 +69,7 @@ void SwitchInput::on_message(const topic_tools::ShapeShifter& message) {
 
 std::optional<Doubt> SwitchInput::doubt() const {
   if (unreadable_) return unreadable_;
-  if (subscriber_.getNumPublishers() > 0) return std::nullopt;
+  if (is_published_) return std::nullopt;
   return Doubt{Cause::Silent, "nobody publishes " + subscriber_.getTopic()};
 }
 

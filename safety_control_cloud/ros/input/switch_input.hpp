@@ -11,6 +11,7 @@
 
 #include "../../core/doubt/doubt.hpp"
 #include "../../core/guard/switches.hpp"
+#include "../command/connected.hpp"
 
 namespace safety_control_cloud {
 
@@ -24,8 +25,9 @@ class SwitchInput {
   SwitchInput(const SwitchInput&) = delete;
   SwitchInput& operator=(const SwitchInput&) = delete;
 
-  /// Hears any type again once its publishers have left: a subscription keeps to the type of the first.
-  void hear_anew_if_left();
+  /// Looks who publishes it. Once all have left or died, it hears any type again: a subscription keeps to the type of
+  /// the first.
+  void note_publishers();
 
   /// Why what it said last is not to be believed: nobody publishes it, or its last message cannot be read.
   std::optional<Doubt> doubt() const;
@@ -39,7 +41,8 @@ class SwitchInput {
   std::optional<Doubt> unreadable_;
   ros::NodeHandle handle_;
   ros::Subscriber subscriber_;
-  bool was_connected_ = false;
+  Connected publishers_;
+  bool is_published_ = false;
 };
 
 }  // namespace safety_control_cloud
