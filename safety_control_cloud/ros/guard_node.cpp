@@ -52,7 +52,11 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
   override_ = private_handle.advertiseService("override", &GuardNode::on_override, this);
   wanted_ = subscribe_to_wanted(
       handle, settings.command_type,
-      [this](const geometry_msgs::Twist& wanted, std::optional<double> stamp) { on_wanted(wanted, stamp); });
+      [this](const geometry_msgs::Twist& wanted, std::optional<double> stamp) { on_wanted(wanted, stamp); },
+      [this](const std::string& publisher) {
+        log_.warn(publisher +
+                  " latches its commands: the first over a connection may be of long ago, and is not obeyed");
+      });
   footprint_ = private_handle.subscribe<geometry_msgs::PolygonStamped>(
       "footprint", 1,
       boost::function<void(const geometry_msgs::PolygonStamped::ConstPtr&)>(
