@@ -11,7 +11,7 @@
 namespace safety_control_cloud {
 
 /// The node of the mode that the private parameters name: the one place that asks for it.
-/// Throws BadParameters if they are unfit to drive with.
+/// Throws BadParameters if they are unfit to drive with, runtime_error for a guard that would hear itself.
 std::unique_ptr<Node> node_of(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, Delivery delivery);
 
 }  // namespace safety_control_cloud

@@ -46,3 +46,10 @@ def test_a_parameter_without_its_underscore_is_told_from_a_topic(master):
     with node_under_test("danger_distance:=0.7") as node:
         assert node.wait(10.0) != 0
         assert "the parameter is set by _danger_distance:=0.7" in node.output()
+
+
+def test_a_guard_that_would_hear_itself_does_not_start(master):
+    for remapping in (("cmd_vel_in:=/cmd_vel",), ("cmd_vel:=/wanted", "cmd_vel_in:=wanted")):
+        with node_under_test("_mode:=guard", *remapping) as node:
+            assert node.wait(10.0) != 0
+            assert "cmd_vel_in and cmd_vel are both /" in node.output()
