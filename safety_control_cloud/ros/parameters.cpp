@@ -49,15 +49,18 @@ std::string unknown_parameter(const std::string& node, const std::string& name, 
          " (it stays on the parameter server until: rosparam delete " + node + "/" + name + ")";
 }
 
-/// Names right under the private namespace; what lies deeper (a nodelet's or a library's) is not ours to judge.
+std::string misplaced_parameter(const std::string& node, const std::string& name) {
+  return "~" + name + " is not read: put ~" + name.substr(name.rfind('/') + 1) + " right under the node's name (it " +
+         "stays on the parameter server until: rosparam delete " + node + "/" + name + ")";
+}
+
+/// Names under the private namespace.
 std::vector<std::string> given_names(const ros::NodeHandle& private_handle) {
   std::vector<std::string> all, given;
   private_handle.getParamNames(all);
   const std::string prefix = private_handle.getNamespace() + "/";
   for (const auto& name : all) {
-    if (name.compare(0, prefix.size(), prefix) != 0) continue;
-    const std::string own = name.substr(prefix.size());
-    if (own.find('/') == std::string::npos) given.push_back(own);
+    if (name.compare(0, prefix.size(), prefix) == 0) given.push_back(name.substr(prefix.size()));
   }
   return given;
 }
@@ -75,10 +78,16 @@ Settings load_settings(const ros::NodeHandle& private_handle) {
     if (const auto problem = taking.into(setting)) problems.push_back("~" + std::string(name) + " " + *problem);
   });
   const auto known = known_names();
+  const auto is_known = [&](const std::string& name) {
+    return std::find(known.begin(), known.end(), name) != known.end();
+  };
+  // What lies deeper, a nodelet's or a library's, is not ours to judge, unless its name is one of ours.
   for (const auto& name : given_names(private_handle)) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
+    const std::size_t slash = name.rfind('/');
+    if (slash == std::string::npos && !is_known(name))
       problems.push_back(unknown_parameter(private_handle.getNamespace(), name, known));
-    }
+    if (slash != std::string::npos && is_known(name.substr(slash + 1)))
+      problems.push_back(misplaced_parameter(private_handle.getNamespace(), name));
   }
   for (const auto& problem : problems_in(settings)) problems.push_back(problem);
   if (!problems.empty()) throw BadParameters(problems);

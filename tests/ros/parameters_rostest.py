@@ -43,6 +43,12 @@ class Parameters(unittest.TestCase):
     def test_what_lies_deeper_in_the_namespace_is_not_the_nodes(self):
         self.check_zone_at(0.75, "Warning", library={"of_another": 1})
 
+    def test_ours_that_lie_deeper_are_misplaced(self):
+        for name in ("safety_control_cloud", "library"):
+            output = self.refusal_of(**{name: {"danger_distance": 0.9, "colour": "red"}})
+            self.assertIn(f"~{name}/danger_distance is not read: put ~danger_distance right under the node's name", output)
+            self.assertNotIn("colour", output)
+
     def test_a_whole_number_does_for_a_distance(self):
         self.check_zone_at(1.5, "Warning", warning_distance=2)
 
