@@ -4,6 +4,8 @@ import threading
 
 import pytest
 import rospy
+from diagnostic_msgs.msg import DiagnosticArray
+from listening import Heard
 from robot import driving_robot
 from rosgraph_msgs.msg import Clock
 from scenes import hall
@@ -115,3 +117,12 @@ def test_simulated_time_that_stands_still_does_not_hide_a_silent_camera(replayed
     simulated_time.end()
     replayed.camera.pause()
     replayed.stops("SILENT", within=3.25)
+
+
+def test_simulated_time_that_stands_still_does_not_silence_diagnostics(replayed, simulated_time):
+    heard = Heard("/diagnostics", DiagnosticArray)
+    simulated_time.end()
+    replayed.camera.pause()
+    replayed.stops("SILENT", within=3.25)
+    heard.until(lambda said: "no cloud for" in said.status[0].message)
+    heard.close()

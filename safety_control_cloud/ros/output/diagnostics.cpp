@@ -58,7 +58,7 @@ void Diagnostics::Fed::add_to(diagnostic_updater::DiagnosticStatusWrapper& statu
 
 Diagnostics::Diagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                          const std::vector<std::string>& sensors)
-    : updater_(handle, private_handle, private_handle.getNamespace()) {
+    : updater_(handle, private_handle, private_handle.getNamespace()), updated_(ros::SteadyTime::now()) {
   for (const std::string& name : sensors) fed_.push_back({name});
   updater_.setHardwareID("depth camera");
   updater_.add("safety", this, &Diagnostics::report);
@@ -70,12 +70,20 @@ void Diagnostics::on_cloud(const Decision& decision, const std_msgs::Header& clo
   decision_times_.add(decision_time);
   latencies_.add(latency);
   decision_ = decision;
-  updater_.update();
+  update();
 }
 
 void Diagnostics::on_quiet(const Decision& decision) {
   decision_ = decision;
-  updater_.update();
+  update();
+}
+
+/// By a steady clock: where ROS time stands still or goes back, it is needed the most, and the updater would wait.
+void Diagnostics::update() {
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  if ((now - updated_).toSec() < updater_.getPeriod()) return;
+  updated_ = now;
+  updater_.force_update();
 }
 
 void Diagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) {

@@ -53,9 +53,11 @@ class Diagnostics {
     void add_to(diagnostic_updater::DiagnosticStatusWrapper& status) const;
   };
 
+  void update();
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   diagnostic_updater::Updater updater_;
+  ros::SteadyTime updated_;
   Decision decision_;
   double override_left_ = 0.0;
   std::vector<Fed> fed_;
