@@ -34,3 +34,10 @@ def test_two_that_tell_where_it_goes_are_named_and_doubted_until_one_is_left(mas
             eventually(lambda: names_two(robot.process.output()))
         robot.gives(lambda state: state.doubts == [])
         odometry.end()
+
+
+def test_an_odom_frame_that_tf_does_not_know_is_named(master):
+    with guarded_robot("_odom_frame:=odomm") as robot:
+        robot.driver.say(twist(0.2))
+        robot.passes(twist(0.2))
+        eventually(lambda: "odom_frame odomm: TF does not tell" in robot.process.output())

@@ -8,6 +8,11 @@
 #include "poses.hpp"
 
 namespace safety_control_cloud {
+namespace {
+
+constexpr double patience = 5.0;  // [s]
+
+}  // namespace
 
 OdometryInput::OdometryInput(ros::NodeHandle& handle, GuardControl& control,
                              std::function<void(const std::string&)> warn)
@@ -27,6 +32,16 @@ OdometryInput::OdometryInput(ros::NodeHandle& handle, GuardControl& control,
 void OdometryInput::ask(const tf2_ros::Buffer& buffer) {
   const auto told = transforms_ ? transforms_->next(buffer) : std::nullopt;
   if (told) control_.note_pose(told->stamp, told->pose);
+  warn_of_frame_that_nobody_knows();
+}
+
+/// TF may take a while to come.
+void OdometryInput::warn_of_frame_that_nobody_knows() {
+  const bool knows = !transforms_ || transforms_->why_nothing().empty();
+  if (warned_of_frame_ || knows || (ros::SteadyTime::now() - began_).toSec() < patience) return;
+  warn_("odom_frame " + control_.settings().odom_frame +
+        ": TF does not tell where the robot is in it, and so there is " + "no odometry: " + transforms_->why_nothing());
+  warned_of_frame_ = true;
 }
 
 void OdometryInput::on_message(const ros::MessageEvent<nav_msgs::Odometry const>& event) {

@@ -18,8 +18,8 @@ namespace safety_control_cloud {
 /// Where the robot goes, on its way into the control: from nav_msgs/Odometry, or with an odom_frame from TF.
 class OdometryInput {
  public:
-  /// What it is told of is told to `control`; `warn`, once each, of a frame that is not base_frame, and of two that
-  /// publish it in turn.
+  /// What it is told of is told to `control`; `warn`, once each, of a frame that is not base_frame, of two that publish
+  /// it in turn, and of an odom_frame that TF does not know.
   OdometryInput(ros::NodeHandle& handle, GuardControl& control, std::function<void(const std::string&)> warn);
   OdometryInput(const OdometryInput&) = delete;
   OdometryInput& operator=(const OdometryInput&) = delete;
@@ -30,6 +30,7 @@ class OdometryInput {
  private:
   void on_message(const ros::MessageEvent<nav_msgs::Odometry const>& event);
   void note_publisher(const std::string& name);
+  void warn_of_frame_that_nobody_knows();
 
   GuardControl& control_;
   std::function<void(const std::string&)> warn_;
@@ -37,6 +38,7 @@ class OdometryInput {
   ros::Subscriber subscriber_;
   std::string latest_, before_;  ///< who publishes: the latest, and the latest other one
   bool warned_of_frame_ = false, warned_of_two_ = false;
+  const ros::SteadyTime began_ = ros::SteadyTime::now();
 };
 
 }  // namespace safety_control_cloud

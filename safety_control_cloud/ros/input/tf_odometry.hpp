@@ -25,8 +25,11 @@ class TfOdometry {
   /// The latest, if it was not told yet. What TF does not know is none.
   std::optional<Told> next(const tf2_ros::Buffer& buffer);
 
+  /// Why it has not told any so far; empty once it has.
+  const std::string& why_nothing() const { return why_nothing_; }
+
  private:
-  std::string odom_frame_, base_frame_;
+  std::string odom_frame_, base_frame_, why_nothing_;
   ros::Time told_;
 };
 
