@@ -21,7 +21,9 @@ ROOMS_OF_CORE = {
     "guard": {"text", "input", "look", "doubt", "memory", "path", "speed"},
 }
 KERNEL_OF_LOOK = "look/look.cpp"  # the one door from the room into its kernel
-ROOMS_OF_ROS = {"time": set(), "command": {"time"}, "input": {"time"}, "memory": {"time"}, "output": {"time"}}
+ROOMS_OF_ROS = {
+    "time": set(), "graph": set(), "command": {"time", "graph"}, "input": {"time", "graph"}, "memory": {"time"}, "output": {"time"},
+}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD = re.compile(r"[a-z_0-9]+")  # <vector>, <cmath>: neither folder nor ending

@@ -15,8 +15,8 @@
 #include <thread>
 
 #include "../../core/doubt/doubt.hpp"
+#include "../graph/connected.hpp"
 #include "at_once.hpp"
-#include "connected.hpp"
 #include "other_commanders.hpp"
 
 namespace safety_control_cloud {

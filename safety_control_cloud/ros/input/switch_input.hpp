@@ -11,7 +11,7 @@
 
 #include "../../core/doubt/doubt.hpp"
 #include "../../core/guard/switches.hpp"
-#include "../command/connected.hpp"
+#include "../graph/connected.hpp"
 
 namespace safety_control_cloud {
 
