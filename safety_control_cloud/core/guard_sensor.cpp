@@ -16,11 +16,13 @@ namespace safety_control_cloud {
 namespace {
 
 constexpr double long_on_its_way = 0.2;  ///< [s] what comes later after its stamp than this may have one that is off
-constexpr double turned_away = 0.2;      ///< [rad] by which a camera may look past its corridor before that follows it
+constexpr double half_turn = 3.14159265358979323846;  ///< [rad]
+constexpr double turned_away = 0.2;  ///< [rad] by which a camera may look past its corridor before that follows it
 
-constexpr double few_returns = 0.1;    ///< of the points: with more, a camera is not blind for what is before it
-constexpr double least_of_scan = 0.3;  ///< [m] from which on a laser measures what is there
-constexpr double least_beyond = 0.15;  ///< [m] beyond its blind range from which on a camera does
+constexpr double few_returns = 0.1;        ///< of the points: with more, a camera is not blind for what is before it
+constexpr double least_of_scan = 0.3;      ///< [m] from which on a laser measures what is there, if it does so near
+constexpr double beyond_range_min = 0.05;  ///< [m] from which on it does, if not
+constexpr double least_beyond = 0.15;      ///< [m] beyond its blind range from which on a camera does
 
 Surroundings surroundings_of(const Settings& own, const Guard& guard) {
   const FrameCorridor& band = own.frame_corridor;
@@ -40,11 +42,11 @@ std::optional<Doubt> loss_in(const Answer& answer, std::size_t min_points, bool 
 }
 
 /// Of what is ahead, as the drive mode has it.
-std::optional<ZoneCap> cap_by(const Answer& answer, const Settings& settings) {
+std::optional<ZoneCap> cap_by(const Answer& answer, const Settings& settings, double facing) {
   const auto* seen = std::get_if<Seen>(&answer);
   if (!settings.zone_caps || !seen) return std::nullopt;
   const Zone zone = zone_of(seen->sight, settings.limits);
-  return ZoneCap{zone, speed_for(zone, settings.speeds)};
+  return ZoneCap{zone, speed_for(zone, settings.speeds), {std::cos(facing), std::sin(facing)}};
 }
 
 FieldOfView field_in(const View& view) {
@@ -103,15 +105,18 @@ void GuardSensor::forget_losses() {
   is_lost_ahead_ = false;
 }
 
-/// A scan looks to all sides. A camera that turns away from what it lost would see something behind that wherever it
-/// looks, if its corridor turned too.
+/// Who looks to all sides looks ahead too. A camera that turns away from what it lost would see something behind that
+/// wherever it looks, if its corridor turned too.
 void GuardSensor::face(const Reading& reading, const Placing& placing) {
   const auto* placement = std::get_if<Placement>(&placing);
-  if (!placement || std::holds_alternative<ScanView>(reading) || is_lost_ahead_) return;
-  const Point2 ahead = eye_of(Outlook({}, *placement), FieldOfView{}).direction;
+  if (!placement || is_lost_ahead_) return;
+  const Outlook outlook({}, *placement);
+  const auto* scan = std::get_if<ScanView>(&reading);
+  const Eye eye = scan ? eye_of(outlook, *scan) : eye_of(outlook, FieldOfView{});
+  const Point2 ahead = eye.half_angle >= half_turn ? Point2{1.0, 0.0} : eye.direction;
   if (length_of(ahead) == 0.0) return;  // straight up or down
   const double heading = std::atan2(ahead.y, ahead.x);
-  if (std::abs(std::remainder(heading - facing_, 2.0 * std::acos(-1.0))) <= turned_away) return;
+  if (std::abs(std::remainder(heading - facing_, 2.0 * half_turn)) <= turned_away) return;
   facing_ = std::abs(heading) <= turned_away ? 0.0 : heading;
   sensor_.adopt(sensor_settings(own_, facing_));
 }
@@ -219,7 +224,7 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
   known.eye = taken_->eye;
   if (known.lost && is_lost_ahead_) known.eye->direction = {std::cos(facing_), std::sin(facing_)};
   known.horizon = taken_->horizon;
-  known.cap = cap_by(sensor_.answer(), own_);
+  known.cap = cap_by(sensor_.answer(), own_, facing_);
   return known;
 }
 

@@ -117,7 +117,7 @@ Allowed Guard::by_zones(const Twist2& wanted, const std::vector<Known>& known) c
   Allowed least;
   const double speed = speed_of(wanted);
   for (const Known& one : known) {
-    if (!one.cap || !one.eye || !(dot(one.eye->direction, linear(wanted)) > 0.0) || speed <= one.cap->speed) continue;
+    if (!one.cap || !(dot(one.cap->ahead, linear(wanted)) > 0.0) || speed <= one.cap->speed) continue;
     Allowed slower;
     slower.factor = one.cap->speed / speed;
     slower.sensor = one.sensor;

@@ -17,7 +17,8 @@ namespace safety_control_cloud {
 /// A zone, and how fast the robot may go into it.
 struct ZoneCap {
   Zone zone;
-  double speed;  ///< [m/s]
+  double speed;               ///< [m/s]
+  Point2 ahead = {1.0, 0.0};  ///< in base_frame, of length 1: where the corridor leads in which that is seen
 };
 
 /// What one sensor lets one know of the robot's surroundings at this moment.

@@ -2,7 +2,7 @@
 // The tutorial's zones as caps on what somebody else wants.
 #include <gtest/gtest.h>
 
-#include "guarded_robot.hpp"
+#include "robot_with_sensors.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -61,6 +61,34 @@ TEST(ZoneCaps, NeverGiveMoreThanTheLaw) {
   without.zone_caps = false;
   for (double distance = 0.3; distance < 1.2; distance += 0.05)
     EXPECT_DOUBLE_EQ(given(board_at(distance), forward, fast), given(board_at(distance), forward, without)) << distance;
+}
+
+/// A laser whose x axis leads back, which sees something at its back: so before the robot. And one that looks back.
+TEST(ZoneCaps, FollowTheCorridorInWhichALaserSeesWhichever) {
+  for (const std::size_t beams : {360, 180}) {
+    Settings settings = capped();
+    settings.sensors = {{"laser", InputKind::Scan, "scan", true, {}}};
+    RobotWithSensors robot(settings);
+    Eigen::Matrix<double, 3, 4> place;
+    place << -1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0.2;
+    robot.laser_place = placing_of(place);
+    const bool all_around = beams == 360;
+    robot.ranges.assign(beams, 5.0f);
+    robot.first_bearing = all_around ? 0.0 : -pi / 2.0;
+    const std::size_t there = all_around ? 180 : 90;  // before the robot, and behind it
+    for (std::size_t i = there - 15; i <= there + 15; ++i) robot.ranges[i] = 0.48f;
+    const double toward = all_around ? 0.2 : -0.2;
+    const auto speed = [&](double wanted) {
+      for (int i = 0; i < 10; ++i) {
+        robot.pass(0.05);
+        robot.see_scan(0);
+        robot.wants({wanted, 0.0, 0.0});
+      }
+      return robot.wants({wanted, 0.0, 0.0}).given.linear[0];
+    };
+    EXPECT_EQ(speed(toward), 0.0) << beams;
+    EXPECT_EQ(speed(-toward), -toward) << beams;
+  }
 }
 
 }  // namespace
