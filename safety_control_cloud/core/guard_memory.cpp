@@ -136,7 +136,8 @@ Pose2 GuardMemory::way_during(const Look& look, const Went& went, const Instant&
 /// falls silent, by what the base is told, but not what it was to place.
 void GuardMemory::choose_whereabouts(double stamp, const Went& went, const Instant& now) {
   const Odometry& odometry = went.odometry;
-  const bool goes_on = odometry.is_fresh(now.ros) && odometry.goes_on_for() >= begins_after;
+  const bool is_fresh = by_odometry_ ? odometry.is_fresh(now.ros) : odometry.stays_fresh(now.ros);
+  const bool goes_on = is_fresh && odometry.goes_on_for() >= begins_after;
   const bool speaks = goes_on && odometry.pose_at(stamp);
   const bool holds_any = out_of_sight_.holds_any(now.steady);
   if (speaks == by_odometry_ || (by_odometry_ && holds_any)) return;

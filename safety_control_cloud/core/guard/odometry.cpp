@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kept = 60.0;         ///< [s]
 constexpr std::size_t most = 5000;    ///< of them, however often they come
+constexpr std::size_t some = 10;      ///< of them tell how often they come
 constexpr double longest_gap = 0.25;  ///< [s] over which a twist is taken to last
 constexpr double most_off = 0.1;      ///< [m], [rad] by which a pose may miss what the twists before and after explain
 constexpr double most_off_rate = 0.25;  ///< the same, as a share of what they explain
@@ -103,6 +104,13 @@ Drift Odometry::unexplained_until(double stamp) const {
 
 bool Odometry::is_fresh(double now) const {
   return !noted_.empty() && std::abs(now - noted_.back().stamp) <= longest_gap;
+}
+
+bool Odometry::stays_fresh(double now) const {
+  const std::size_t latest = std::min(noted_.size(), some);
+  if (latest < 2) return is_fresh(now);
+  const double time = noted_.back().stamp - noted_[noted_.size() - latest].stamp;
+  return is_fresh(now) && is_fresh(now + time / static_cast<double>(latest - 1));
 }
 
 std::optional<std::string> Odometry::doubt_at(double now) const {

@@ -39,6 +39,9 @@ class Odometry {
   /// Whether it speaks at `now` [s, ROS time].
   bool is_fresh(double now) const;
 
+  /// Whether it will until it is heard again, as often as it is.
+  bool stays_fresh(double now) const;
+
   /// Why one who has spoken is not believed at `now` [s, ROS time].
   std::optional<std::string> doubt_at(double now) const;
 

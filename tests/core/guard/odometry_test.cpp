@@ -77,6 +77,16 @@ TEST(Odometry, DoesNotSpanWhatItHasNotSeen) {
   EXPECT_FALSE(odometry.twist_at(11.5));
 }
 
+/// Ten times a second.
+TEST(Odometry, StaysFreshIfItWillBeUntilItIsHeardAgain) {
+  Odometry odometry;
+  for (int i = 0; i <= 20; ++i) odometry.note(10.0 + 0.1 * i, {}, {});
+  EXPECT_TRUE(odometry.stays_fresh(12.14));
+  EXPECT_TRUE(odometry.is_fresh(12.16));
+  EXPECT_FALSE(odometry.stays_fresh(12.16));
+  EXPECT_FALSE(odometry.stays_fresh(12.3));
+}
+
 TEST(Odometry, AJumpAGapOrNoNumberBeginsItAnew) {
   const Twist2 twist{0.4, 0.0, 0.0};
   for (const Pose2& odd : {Pose2{{5.0, 0.0}, 0.0}, Pose2{{0.4, 0.0}, 1.5}, Pose2{{std::nan(""), 0.0}, 0.0}}) {

@@ -177,5 +177,21 @@ TEST(WithoutOdometry, WhoCreepsDrivesToo) {
   EXPECT_EQ(robot.wants({-0.0019, 0.0, 0.0}).factor, 0.0) << robot.wants({-0.0019, 0.0, 0.0}).reason;
 }
 
+/// It comes so late that now and then its latest stamp is too old.
+TEST(WithoutOdometry, OdometryThatComesTooLateIsAsNone) {
+  for (const auto& [period, late] : {std::pair{0.1, 0.24}, std::pair{0.2, 0.16}, std::pair{0.05, 0.3}}) {
+    RobotWithoutOdometry robot;
+    double told = robot.now.ros;
+    for (int i = 0; i < 2000; ++i) {
+      robot.pass(0.01);
+      for (; told + period <= robot.now.ros - late; told += period) robot.control.note_odometry(told + period, {}, {});
+      if (i % 5 == 0) robot.see(with_post);
+      const Guarded& answer = robot.wants({-0.1, 0.0, 0.0});
+      if (i <= 100) continue;
+      ASSERT_EQ(answer.cause, Cause::Seen) << period << " " << late << " " << i << ": " << answer.reason;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace safety_control_cloud
