@@ -241,8 +241,8 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
     const GuardSensor& sensor = sensors[i];
     known.seen_by = shows[i] ? sensor.eye() : std::nullopt;
     known.is_missed = false;
-    const auto is_missed = [&](const Point2& place, const Heights& heights) {
-      return known.seen_by && !was_placed && sensor.misses(place, heights);
+    const auto is_missed = [&](const Point2& place, const Heights& heights, double off) {
+      return known.seen_by && !was_placed && sensor.misses(place, heights, off);
     };
     auto rings = out_of_sight_.rings(robot, reach, now.steady, shows, i, is_missed);
     add(std::move(rings.all));

@@ -135,13 +135,14 @@ Look GuardSensor::take(const Reading& reading, const Origin& origin, const Outlo
   taken_ = Taken{now,
                  on_its_way,
                  scan ? scan->lasts : 0.0,
+                 scan ? scan->range_min : 0.0,
                  eye,
                  horizon,
                  field,
                  outlook,
                  given.reckoned_at(now.steady - on_its_way)};
   const double measures_from =
-      own_.input == InputKind::Scan ? least_of_scan : own_.near_loss.blind_range + least_beyond;
+      scan ? std::max(least_of_scan, scan->range_min + beyond_range_min) : own_.near_loss.blind_range + least_beyond;
   const double may_last = on_its_way > long_on_its_way ? std::max(on_its_way, taken_->lasts) : taken_->lasts;
   return {reading, view, outlook, stamp, measures_from, may_last};
 }
@@ -240,8 +241,9 @@ std::vector<Pose2> GuardSensor::ways_since_look(const Instant& now, const Odomet
   return {*way, *way_since_arrival};
 }
 
-bool GuardSensor::misses(const Point2& place, const Heights& heights) const {
-  if (!taken_ || own_.input == InputKind::Scan || !taken_->eye.sees(place)) return false;
+bool GuardSensor::misses(const Point2& place, const Heights& heights, double off) const {
+  if (!taken_ || !taken_->eye.sees(place)) return false;
+  if (own_.input == InputKind::Scan) return length_of(place - taken_->eye.place) - off < taken_->range_min;
   const auto seen = [&](double height) { return taken_->outlook.seen_from_camera(in_corridor_axes(place, height)); };
   const Point low = seen(heights.bottom), high = seen(heights.top);
   const auto [up, down] = std::minmax(taken_->field.top, taken_->field.bottom);

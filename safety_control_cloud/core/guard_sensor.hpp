@@ -63,9 +63,10 @@ class GuardSensor {
   /// Where it looked last; none: it shows nothing.
   std::optional<Eye> eye() const { return taken_ ? std::optional(taken_->eye) : std::nullopt; }
 
-  /// Whether a camera looks toward a place in base_frame, and what stands there between these heights is all below its
-  /// picture, or all above.
-  bool misses(const Point2& place, const Heights& heights) const;
+  /// Whether it looks toward a place in base_frame and cannot show what is there: it stands between these heights all
+  /// below a camera's picture, or all above, or maybe nearer than a range finder measures, if it lies up to `off` [m]
+  /// elsewhere.
+  bool misses(const Point2& place, const Heights& heights, double off) const;
 
   const Law& law() const { return law_; }
 
@@ -86,6 +87,7 @@ class GuardSensor {
     Instant arrival;
     double time_to_arrive;  ///< [s] since its stamp, as far as that is believed
     double lasts;           ///< [s] for which it was being taken after its stamp
+    double range_min;       ///< [m] of a range finder, or else 0
     Eye eye;
     Horizon horizon;
     FieldOfView field;

@@ -260,7 +260,7 @@ OutOfSight::Rings OutOfSight::rings(const Whereabouts& robot, double reach, doub
       ++some[i].returns;
     };
     add_to(rings.all);
-    if (asks && asks(here.place, place.stands)) add_to(rings.asked_for);
+    if (asks && asks(here.place, place.stands, here.off)) add_to(rings.asked_for);
   });
   return rings;
 }

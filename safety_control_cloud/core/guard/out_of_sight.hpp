@@ -61,8 +61,9 @@ class OutOfSight {
   /// From now on these too are kept, as if `sensor` had shown them to a robot that was there.
   void recall(const std::vector<KeptPlace>& places, std::size_t sensor, const Whereabouts& there, double now);
 
-  /// Whether somebody asks for a place in base_frame, a part of what stood or hung there between these heights.
-  using AsksFor = std::function<bool(const Point2& place, const Heights& heights)>;
+  /// Whether somebody asks for a place in base_frame, a part of what stood or hung there between these heights, or up
+  /// to `off` [m] elsewhere.
+  using AsksFor = std::function<bool(const Point2& place, const Heights& heights, double off)>;
 
   struct Rings {
     std::vector<Ring> all, asked_for;

@@ -135,11 +135,14 @@ AtPlace SeenAt::in_scan(const Point& place, double off, double aside) const {
   if (has_seam && (bearing - aside < scan_->first || bearing + aside > scan_->last)) return AtPlace::NotThere;
   const auto at = static_cast<std::ptrdiff_t>(std::lround((bearing - scan_->first) * beams_each));
   const auto most = static_cast<std::ptrdiff_t>(std::ceil(1.0 + std::min(aside, 0.5 * turn) * beams_each));
+  if (distance + off > scan_->range_max) return AtPlace::NotThere;  // where it sees nothing there may be anything
+  const bool may_be_too_near = distance - off < scan_->range_min;   // some say +Inf of that
   Around around(distance, off);
   for (std::ptrdiff_t beside = -most; beside <= most; ++beside) {
     const std::ptrdiff_t beam = has_seam ? at + beside : (at + beside + 2 * all_around) % all_around;
     const Point seen = pixels_.near(0, scan_->descending ? last - beam : beam);
-    around.add(returned(seen), std::hypot(seen.x, seen.y));
+    const double range = std::hypot(seen.x, seen.y);
+    around.add(returned(seen) && !(may_be_too_near && range > scan_->range_max), range);
   }
   const AtPlace answer = around.answer();
   return answer == AtPlace::Shown ? shown_at(scaled(place, around.share())) : answer;

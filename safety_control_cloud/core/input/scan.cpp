@@ -68,7 +68,7 @@ ScanView ScanPoints::of(const Scan& scan) {
   ScanView view{points, 3 * sizeof(float)};
   view.first = std::min(scan.angle_min, end), view.last = std::max(scan.angle_min, end);
   view.descending = scan.angle_increment < 0.0;
-  view.range_max = scan.range_max;
+  view.range_min = scan.range_min, view.range_max = scan.range_max;
   view.lasts = scan.time_increment > 0.0 ? scan.time_increment * steps : scan.scan_time;
   return view;
 }

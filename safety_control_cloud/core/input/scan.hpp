@@ -26,7 +26,8 @@ struct ScanView {
   std::size_t z_if_inf_is_free;    ///< [byte] in a point: z where +Inf has seen, far away, that nothing is there
   double first = 0.0, last = 0.0;  ///< [rad] bearings, first <= last
   bool descending = false;         ///< the first point is that of the last bearing
-  double range_max = 0.0;          ///< [m] beyond which nothing is measured
+  double range_min = 0.0;          ///< [m] nearer than which nothing is measured
+  double range_max = 0.0;          ///< [m] beyond which nothing is
   double lasts = 0.0;              ///< [s] from the first beam, whose moment is the stamp, to the last
 };
 

@@ -126,5 +126,77 @@ TEST(Lasers, ALaserUpsideDownSeesTheOtherSide) {
   EXPECT_EQ(to_the_left.drives({0.0, 0.3, 0.0}).factor, 1.0);
 }
 
+Settings with_a_laser(bool inf_is_free = false) {
+  Settings settings = guard_settings();
+  settings.sensors = {{"laser", InputKind::Scan, "scan", true, {{"inf_is_free", inf_is_free ? 1.0 : 0.0}}}};
+  settings.unseen_speed = 0.7;
+  return settings;
+}
+
+/// A robot with nothing but a laser, at its middle, before a box and beside a wall.
+struct RobotBeforeABox : RobotWithSensors {
+  explicit RobotBeforeABox(bool inf_is_free = false) : RobotWithSensors(with_a_laser(inf_is_free)) {}
+
+  Pose2 pose;
+  bool has_odometry = true;
+  float nothing = std::numeric_limits<float>::quiet_NaN();  ///< it says of what it cannot measure
+  double box = 1.0;                                         ///< [m] where its front stands, in the resting frame
+
+  /// By this twist, for the period of a look.
+  const Guarded& goes(const Twist2& twist) {
+    pass(0.05);
+    pose = beyond(pose, way_of(twist, 0.05));
+    if (has_odometry) control.note_odometry(now.ros, pose, twist);
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      const double bearing = pose.heading + first_bearing + static_cast<double>(i) * pi / 180.0;
+      const double range = (box - pose.place.x) / std::cos(bearing);
+      const bool meets = range > 0.0 && std::abs(pose.place.y + range * std::sin(bearing)) < 0.3;
+      const double wall = (-1.0 - pose.place.y) / std::sin(bearing);  // at its right side
+      const double measured = std::min(meets ? range : 5.0, wall > 0.0 ? wall : 5.0);
+      ranges[i] = measured < range_min || measured > range_max ? nothing : static_cast<float>(measured);
+    }
+    see_scan(0);
+    return wants(twist);
+  }
+  double left() const { return box - pose.place.x - 0.178; }  ///< [m] before its hull
+};
+
+/// Some say NaN of what is too near, and some +Inf.
+TEST(Lasers, WhatIsNearerThanALaserMeasuresIsKeptWhereItWasSeenLast) {
+  for (const double range_min : {0.1, 0.32, 0.36, 0.45, 0.6}) {
+    for (const float nothing : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+      for (const bool has_odometry : {true, false}) {
+        RobotBeforeABox robot(!std::isnan(nothing));
+        robot.range_min = range_min, robot.nothing = nothing, robot.has_odometry = has_odometry;
+        double given = 0.0;
+        for (int i = 0; i < 400; ++i) {
+          robot.goes({given, 0.0, 0.0});
+          given = robot.wants({0.3, 0.0, 0.0}).given.linear[0];
+        }
+        EXPECT_GT(robot.left(), 0.02) << range_min << " " << nothing << " " << has_odometry;
+        EXPECT_LT(robot.left(), 0.5) << range_min << " " << nothing << " " << has_odometry;
+      }
+    }
+  }
+}
+
+TEST(Lasers, WhatLiesFartherThanALaserMeasuresIsNotSeenToGo) {
+  for (const float nothing : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    for (const bool is_there : {true, false}) {
+      RobotBeforeABox robot(!std::isnan(nothing));
+      robot.range_max = 1.2, robot.nothing = nothing;
+      robot.first_bearing = -pi / 2.0, robot.ranges.resize(180);
+      if (!is_there) robot.box = 9.0;
+      for (int i = 0; i < 20; ++i) robot.goes({});
+      for (int i = 0; i < 80; ++i) robot.goes({-0.1, 0.0, 0.0});
+      for (int i = 0; i < 40; ++i) robot.goes({});
+      for (int i = 0; i < 40; ++i) robot.goes({0.0, 0.0, pi / 2.0});
+      for (int i = 0; i < 80; ++i) robot.goes({-0.2, 0.0, 0.0});
+      const Guarded& answer = robot.wants({-0.6, 0.0, 0.0});
+      EXPECT_EQ(answer.factor < 0.9, is_there) << nothing << ": " << answer.reason;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace safety_control_cloud

@@ -42,7 +42,7 @@ struct RobotWithSensors : GuardedRobot {
   Scene ahead, behind;
   std::vector<float> ranges = std::vector<float>(360, 5.0f);
   ScanPoints scans;
-  double first_bearing = -pi, range_max = 10.0;
+  double first_bearing = -pi, range_min = 0.1, range_max = 10.0;
   Placing laser_place = laser_at(0.2);
   double rear_heading = pi;
   bool front_shows = true, rear_shows = true, laser_shows = true;
@@ -56,7 +56,7 @@ struct RobotWithSensors : GuardedRobot {
     Scan scan;
     scan.angle_min = first_bearing, scan.angle_increment = 2.0 * pi / 360.0;
     scan.angle_max = first_bearing + static_cast<double>(ranges.size() - 1) * scan.angle_increment;
-    scan.scan_time = 0.1, scan.range_min = 0.1, scan.range_max = range_max;
+    scan.scan_time = 0.1, scan.range_min = range_min, scan.range_max = range_max;
     scan.ranges = ranges.data(), scan.size = ranges.size();
     control.see(scans.of(scan), {now.ros, laser_place, "laser", "laser"}, now, sensor);
   }
