@@ -13,6 +13,11 @@ namespace safety_control_cloud {
 namespace {
 
 constexpr double least_answer_period = 0.01;  // [s]
+constexpr char after_name = '\n';             // before what a sensor remembers
+
+std::string named(const std::string& name, const std::string& text) {
+  return text.empty() ? "" : name + after_name + text;
+}
 
 Settings checked(const Settings& settings) {
   const auto problems = problems_in(settings);
@@ -61,15 +66,22 @@ void GuardControl::forget_losses() {
 
 std::vector<std::string> GuardControl::remembered() const {
   std::vector<std::string> texts;
-  for (const GuardSensor& sensor : sensors_) texts.push_back(sensor.remembered());
+  for (const GuardSensor& sensor : sensors_) texts.push_back(named(sensor.name(), sensor.remembered()));
   texts.push_back(memory_.remembered());
   return texts;
 }
 
 bool GuardControl::recall(const std::vector<std::string>& remembered) {
-  bool legible = remembered.size() == sensors_.size() + 1 && memory_.recall(remembered.back());
-  for (std::size_t i = 0; i < std::min(remembered.size(), sensors_.size()); ++i)
-    legible = sensors_[i].recall(remembered[i]) && legible;
+  bool legible = !remembered.empty() && memory_.recall(remembered.back());
+  for (std::size_t i = 0; i + 1 < remembered.size(); ++i) {
+    const std::string& text = remembered[i];
+    if (text.empty()) continue;
+    const std::size_t end = std::min(text.find(after_name), text.size());
+    const auto is_its_own = [&](const GuardSensor& one) { return text.compare(0, end, one.name()) == 0; };
+    const auto sensor = std::find_if(sensors_.begin(), sensors_.end(), is_its_own);
+    const bool is_recalled = sensor != sensors_.end() && end < text.size() && sensor->recall(text.substr(end + 1));
+    legible = is_recalled && legible;
+  }
   return legible;
 }
 

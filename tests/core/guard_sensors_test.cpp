@@ -100,7 +100,7 @@ TEST(GuardSensors, ACameraThatLooksUpIsNoSight) {
   EXPECT_EQ(robot.wants({0.05, 0.0, 0.0}).cause, Cause::WrongView) << robot.wants({0.05, 0.0, 0.0}).reason;
 }
 
-TEST(GuardSensors, WhatEachRemembersOutlivesTheProcessInTheirOrder) {
+TEST(GuardSensors, WhatEachRemembersOutlivesTheProcess) {
   RobotWithSensors before;
   before.behind = Scene({post(0.6f, 0.0f)});
   before.drives({0.1, 0.0, 0.0});
@@ -112,7 +112,14 @@ TEST(GuardSensors, WhatEachRemembersOutlivesTheProcessInTheirOrder) {
   ASSERT_TRUE(after.control.recall(remembered));
   after.behind = Scene({post(0.35f, 0.0f)});
   EXPECT_EQ(after.drives({-0.1, 0.0, 0.0}).factor, 0.0);
-  EXPECT_FALSE(RobotWithSensors().control.recall({remembered[rear]})) << "of another number of sensors";
+  Settings other_order = with_sensors(), without_rear = with_sensors();
+  std::swap(other_order.sensors[front], other_order.sensors[rear]);
+  without_rear.sensors.erase(without_rear.sensors.begin() + rear);
+  GuardControl other(other_order);
+  ASSERT_TRUE(other.recall(remembered));
+  EXPECT_EQ(other.remembered()[front], remembered[rear]) << "each is known by its name";
+  EXPECT_FALSE(GuardControl(without_rear).recall(remembered));
+  EXPECT_FALSE(RobotWithSensors().control.recall({remembered[rear]}));
 }
 
 TEST(GuardSensors, TheSoonestToBeSilentIsTold) {
