@@ -14,8 +14,7 @@ namespace {
 
 bool same_corridor(const LookSettings& a, const LookSettings& b) {
   const Corridor one = corridor_of(a), other = corridor_of(b);
-  return a.target_frame == b.target_frame && one.x_min == other.x_min && one.x_max == other.x_max &&
-         one.y_min == other.y_min && one.y_max == other.y_max && one.range_min == other.range_min;
+  return a.target_frame == b.target_frame && same_limits(one, other) && one.range_min == other.range_min;
 }
 
 Picture picture_of(const Sight& sight, const Origin& origin) {

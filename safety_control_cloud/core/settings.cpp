@@ -36,11 +36,19 @@ void check_guard(const Settings& settings, Problems& problems) {
   problems.require(settings.target_frame.empty(), "in mode guard the frame is base_frame, not target_frame");
   problems.require(given.left == defaults.left && given.right == defaults.right,
                    "in mode guard the footprint says what left and right say in mode drive");
+  problems.require(
+      same_limits(settings.corridor, Corridor{}),
+      "in mode guard the footprint, bottom and top say what x_min, x_max, y_min and y_max say in mode drive");
 }
 
-/// Without what is no matter of the settings: what a scan is looked by.
+/// Without what is no matter of the settings, or said already: what a scan is looked by.
 Settings looked_by(Settings settings) {
   settings.input = InputKind::Cloud;
+  if (settings.base_frame.empty()) settings.base_frame = GuardSettings{}.base_frame;
+  Corridor& corridor = settings.corridor;
+  const Corridor defaults;
+  corridor.x_min = defaults.x_min, corridor.x_max = defaults.x_max;
+  corridor.y_min = defaults.y_min, corridor.y_max = defaults.y_max;
   return sensor_settings(settings);
 }
 

@@ -53,7 +53,8 @@ void check(const GuardSettings& guard, Problems& problems) {
   problems.require(!guard.base_frame.empty(), "base_frame must not be empty");
   problems.require_frame("base_frame", guard.base_frame);
   problems.require_frame("odom_frame", guard.odom_frame);
-  problems.require(guard.odom_frame != guard.base_frame, "odom_frame must not be base_frame");
+  problems.require(guard.odom_frame.empty() || guard.odom_frame != guard.base_frame,
+                   "odom_frame must not be base_frame");
   problems.require(guard.command_max_age > 0.0, "command_max_age must be positive");
   problems.require(guard.command_timeout > 0.0, "command_timeout must be positive");
   problems.require(guard.min_speed >= 0.0, "min_speed must not be negative");

@@ -21,4 +21,9 @@ struct Corridor {
   bool holds(const Point& point) const { return spans(point.x) && point.y >= y_min && point.y <= y_max; }
 };
 
+/// Whether they end at the same places.
+inline bool same_limits(const Corridor& a, const Corridor& b) {
+  return a.x_min == b.x_min && a.x_max == b.x_max && a.y_min == b.y_min && a.y_max == b.y_max;
+}
+
 }  // namespace safety_control_cloud

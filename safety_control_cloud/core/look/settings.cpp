@@ -6,10 +6,6 @@
 namespace safety_control_cloud {
 namespace {
 
-bool same_limits(const Corridor& a, const Corridor& b) {
-  return a.x_min == b.x_min && a.x_max == b.x_max && a.y_min == b.y_min && a.y_max == b.y_max;
-}
-
 bool same_limits(const FrameCorridor& a, const FrameCorridor& b) {
   return a.left == b.left && a.right == b.right && a.bottom == b.bottom && a.top == b.top;
 }

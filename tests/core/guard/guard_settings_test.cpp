@@ -75,6 +75,23 @@ TEST(GuardSettings, EveryContradictionIsNamed) {
   }
 }
 
+/// And nothing that he has not set who set one of these.
+TEST(GuardSettings, WhatIsOfModeDriveOrMissingIsNamedOnce) {
+  const std::vector<std::pair<const char*, std::function<void(Settings&)>>> table = {
+      {"base_frame must not be empty", [](Settings& s) { s.base_frame = ""; }},
+      {"what left and right", [](Settings& s) { s.frame_corridor.left = 0.4; }},
+      {"what x_min, x_max, y_min and y_max", [](Settings& s) { s.corridor.x_min = -0.4f; }},
+      {"what x_min, x_max, y_min and y_max", [](Settings& s) { s.corridor.y_max = -0.4f; }},
+  };
+  for (const auto& [sentence, harm] : table) {
+    Settings settings;
+    settings.mode = Mode::Guard;
+    harm(settings);
+    EXPECT_TRUE(mentions(settings, sentence)) << sentence;
+    EXPECT_EQ(problems_in(settings).size(), std::size_t{1}) << sentence;
+  }
+}
+
 TEST(GuardSettings, ItsSensorLooksDownACorridorAsWideAsTheRobot) {
   Settings settings;
   settings.mode = Mode::Guard;
