@@ -28,13 +28,13 @@ class Parameters(unittest.TestCase):
     def test_all_problems_are_listed_at_once(self):
         output = self.refusal_of(
             wraning_distance=2.0, colour="red", method="fast", min_points=0, x_min=1.0, safe_speed="quick",
-            release_clouds=-1, source_timeout=float("nan"))
+            release_clouds=-1, source_timeout=float("nan"), diagnostic_period=0.0)
 
         for problem in (
                 "there is no parameter ~wraning_distance; did you mean ~warning_distance?",
                 "there is no parameter ~colour (it stays on the parameter server until: rosparam delete /safety_control_cloud/colour)\n", "~method must be one_pass or pcl", "min_points must be at least 1",
                 "x_min must be less than x_max", "~safe_speed must be a number", "~release_clouds must not be negative",
-                "source_timeout must be finite"):
+                "source_timeout must be finite", "~diagnostic_period must be more than 0 s"):
             self.assertIn(problem, output.replace("\x1b[0m", "\n"))
 
     def test_one_problem_is_enough(self):
