@@ -53,3 +53,4 @@ def test_a_guard_that_would_hear_itself_does_not_start(master):
         with node_under_test("_mode:=guard", *remapping) as node:
             assert node.wait(10.0) != 0
             assert "cmd_vel_in and cmd_vel are both /" in node.output()
+    rospy.delete_param(NODE)  # the next one is another robot
