@@ -4,10 +4,11 @@
 #include <geometry_msgs/TwistStamped.h>
 #include <ros/message_event.h>
 
+#include <algorithm>
 #include <boost/weak_ptr.hpp>
-#include <map>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace safety_control_cloud {
 namespace {
@@ -21,7 +22,7 @@ ros::Subscriber subscribe(ros::NodeHandle& handle, std::function<void(const Even
                                    nullptr, ros::TransportHints().tcpNoDelay());
 }
 
-/// Who is connected, and was heard over that connection.
+/// The connections of latching publishers over which something was heard.
 class Heard {
  public:
   /// Whether this may be what its publisher said last before it was connected.
@@ -30,14 +31,18 @@ class Heard {
     if (!connection) return false;
     const auto latching = connection->find("latching");
     if (latching == connection->end() || latching->second != "1") return false;
-    auto& heard = heard_[event.getPublisherName()];
-    const bool is_first = heard.lock() != connection;
-    heard = connection;
+    const auto is_over = [](const Connection& one) { return one.expired(); };
+    heard_.erase(std::remove_if(heard_.begin(), heard_.end(), is_over), heard_.end());
+    const auto is_this = [&](const Connection& one) { return one.lock() == connection; };
+    const bool is_first = std::none_of(heard_.begin(), heard_.end(), is_this);
+    if (is_first) heard_.push_back(connection);
     return is_first;
   }
 
  private:
-  std::map<std::string, boost::weak_ptr<ros::M_string>> heard_;  ///< over which connection, by who it is
+  using Connection = boost::weak_ptr<ros::M_string>;  ///< by its header
+
+  std::vector<Connection> heard_;
 };
 
 }  // namespace
