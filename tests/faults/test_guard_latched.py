@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A command that its publisher has latched may be of long ago: whoever connects is sent it anew."""
 import signal
-import sys
 import time
 
 import rospy
@@ -10,23 +9,8 @@ from listening import eventually
 
 from safety_control_cloud.processes import process
 
-DRIVER = """
-import rospy
-from geometry_msgs.msg import Twist
-rospy.init_node("latching_driver", disable_rosout=True)
-publisher = rospy.Publisher("/cmd_vel_in", Twist, queue_size=1, latch=True)
-command = Twist()
-command.linear.x = 0.3
-publisher.publish(command)
-while {again} and not rospy.is_shutdown():
-    rospy.sleep(0.1)
-    publisher.publish(command)
-rospy.spin()
-"""
-
-
-def driver(again=False):
-    return process([sys.executable, "-c", DRIVER.format(again=again)])
+def driver(*options):
+    return process(["rostopic", "pub", *options, "/cmd_vel_in", "geometry_msgs/Twist", "{linear: {x: 0.3}}", "__name:=latching_driver"])
 
 
 def is_published(name):
@@ -53,5 +37,5 @@ def test_nor_by_one_that_is_connected_again(master):
 
 
 def test_what_comes_after_it_is(master):
-    with guarded_robot() as robot, driver(again=True):
+    with guarded_robot() as robot, driver("-l", "-r", "10"):
         robot.passes(twist(0.3), within=10.0)

@@ -39,8 +39,8 @@ void OdometryInput::ask(const tf2_ros::Buffer& buffer) {
 void OdometryInput::warn_of_frame_that_nobody_knows() {
   const bool knows = !transforms_ || transforms_->why_nothing().empty();
   if (warned_of_frame_ || knows || (ros::SteadyTime::now() - began_).toSec() < patience) return;
-  warn_("odom_frame " + control_.settings().odom_frame +
-        ": TF does not tell where the robot is in it, and so there is " + "no odometry: " + transforms_->why_nothing());
+  warn_("odom_frame " + control_.settings().odom_frame + ": TF does not tell where the robot is in it: no odometry; " +
+        transforms_->why_nothing());
   warned_of_frame_ = true;
 }
 
