@@ -220,7 +220,8 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
   }
   static const std::vector<Ring> nothing;  // what it saw last is among the places that hide all
   known.rings = known.is_placed ? &nothing : &around_.rings();
-  known.age = std::max(now.steady - taken_->arrival.steady, now.ros - taken_->arrival.ros) + taken_->time_to_arrive;
+  const double since_arrival = std::max(now.steady - taken_->arrival.steady, now.ros - taken_->arrival.ros);
+  known.age = {since_arrival + taken_->time_to_arrive, law_.sensor_period + taken_->time_to_arrive};
   known.ways = ways_since_look(now, odometry, given);
   known.eye = taken_->eye;
   if (known.lost && is_lost_ahead_) known.eye->direction = {std::cos(facing_), std::sin(facing_)};

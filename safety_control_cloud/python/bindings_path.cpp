@@ -66,7 +66,7 @@ core::Limit limit(const core::Outline& outline, const core::Law& law, const Arra
                   const std::vector<Triple>& under_way, double age) {
   std::vector<core::Twist2> twists;
   for (const Triple& twist : under_way) twists.push_back(twist_of(twist));
-  return core::limit(outline, law, {points_of(points), {}, 0.0}, age, {std::move(twists)}, twist_of(wanted));
+  return core::limit(outline, law, {points_of(points), {}, 0.0}, {age}, {std::move(twists)}, twist_of(wanted));
 }
 
 core::Law law_of(const py::kwargs& numbers) {
@@ -143,7 +143,7 @@ void bind_path(py::module& module) {
       "straying",
       [](const core::Outline& outline, const core::Law& law, const Triple& under_way, const Triple& wanted,
          double least, double most, double age) {
-        const core::Straying off = core::straying(outline, law, core::response_to(law, age, twist_of(wanted)),
+        const core::Straying off = core::straying(outline, law, core::response_to(law, {age}, twist_of(wanted)),
                                                   twist_of(under_way), twist_of(wanted), {least, most});
         return std::make_tuple(off.share, off.widening);
       },
@@ -153,7 +153,7 @@ void bind_path(py::module& module) {
       "fan",
       [](const core::Outline& outline, const core::Law& law, const Triple& under_way, const Triple& wanted,
          double least, double most, double age) {
-        const auto fan = core::fan(outline, law, core::response_to(law, age, twist_of(wanted)), twist_of(under_way),
+        const auto fan = core::fan(outline, law, core::response_to(law, {age}, twist_of(wanted)), twist_of(under_way),
                                    twist_of(wanted), {least, most});
         std::vector<Triple> twists;
         if (fan) std::transform(fan->twists.begin(), fan->twists.end(), std::back_inserter(twists), triple_of);

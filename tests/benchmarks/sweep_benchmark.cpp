@@ -43,7 +43,7 @@ void a_command_is_limited(benchmark::State& state) {
   const Outline outline = rectangle();
   const Twist2 wanted{0.5, 0.0, 0.5};
   for (auto _ : state)
-    benchmark::DoNotOptimize(limit(outline, Law{}, wall, 0.0, {{limited(wanted, 0.3)}}, wanted).factor);
+    benchmark::DoNotOptimize(limit(outline, Law{}, wall, {}, {{limited(wanted, 0.3)}}, wanted).factor);
 }
 BENCHMARK(a_command_is_limited)->ArgName("wall_cm")->Arg(500)->Arg(60);
 

@@ -26,7 +26,7 @@ struct Known {
   std::string sensor;                        ///< its name
   const std::vector<Ring>* rings = nullptr;  ///< as they were taken; none: nothing was ever seen
   Law law;                                   ///< by which that is judged
-  double age = 0.0;                          ///< [s] since then
+  Age age;                                   ///< of that
   std::vector<Pose2> ways;     ///< that the robot may have gone since then; the true one lies between them
   std::optional<Eye> eye;      ///< where it looks
   Horizon horizon;             ///< and how far it sees there

@@ -27,15 +27,22 @@ struct Law {
 /// Everything that makes this no law to drive by, a sentence each; empty if it is one.
 std::vector<std::string> problems_in(const Law& law);
 
+/// Of the data decided on [s].
+struct Age {
+  double now = 0.0;
+  double at_next_look = 0.0;  ///< that they will have come to before there are others
+};
+
 /// How a base answers to a change of factor along the path of a twist, all in [s].
 struct Response {
-  double delay;     ///< from a command to its effect: latency + base_reaction
-  double reaction;  ///< in which the robot drives on, whatever appears: max(age, sensor_period) + delay
-  double braking;   ///< from factor 1 to 0, both axes in proportion:
-                    ///< max(hypot(vx, vy) / linear_deceleration, |w| / angular_deceleration)
+  double delay;              ///< from a command to its effect: latency + base_reaction
+  double reaction;           ///< in which the robot drives on, whatever appears: max(age, sensor_period) + delay
+  double braking;            ///< from factor 1 to 0, both axes in proportion:
+                             ///< max(hypot(vx, vy) / linear_deceleration, |w| / angular_deceleration)
+  double approaching = 0.0;  ///< for so long, and while the robot brakes, obstacles may have come nearer. It does not
+                             ///< grow until the next look, or who may drive now would have to stop before that.
 };
-/// `age` [s]: that of the data decided on.
-Response response_to(const Law& law, double age, const Twist2& twist);
+Response response_to(const Law& law, const Age& age, const Twist2& twist);
 
 /// How much of a twist's path is used up by driving it at a factor s for a time T and stopping then, in [s] of the
 /// twist at factor 1: s T + s^2 t_b / 2. The way in which a body stops from uniform deceleration, here along an arc; to

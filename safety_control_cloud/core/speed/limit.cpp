@@ -11,7 +11,7 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double step = 0.7;         // from one factor that is tried to the next
+constexpr double step = 0.9;         // from one factor that is tried to the next
 constexpr double least_step = 0.03;  // below it the last margin serves for all
 
 /// Who wants what, and what is known: the arguments of limit() that never change while it thinks.
@@ -31,7 +31,9 @@ struct Question {
   /// [s] of the wanted twist until the robot stands.
   double duration(double factor) const { return stopping_time(factor, response.reaction, response.braking); }
   /// [m] by which an obstacle may come nearer until then.
-  double approach(double factor) const { return law.obstacle_speed * (response.reaction + factor * response.braking); }
+  double approach(double factor) const {
+    return law.obstacle_speed * (response.approaching + factor * response.braking);
+  }
   Sweep sweep(double widening, double factor) const { return sweep(wanted, widening, factor); }
   Sweep sweep(const Twist2& twist, double widening, double factor) const {
     return {outline, twist, obstacles.widening + widening + approach(factor), duration(factor) * (1.0 + 1e-9)};
@@ -145,8 +147,8 @@ Limit limit_from(const Question& question, double escape, double slowing) {
 
 }  // namespace
 
-Limit limit(const Outline& outline, const Law& law, const Obstacles& obstacles, double age, const UnderWay& under_way,
-            const Twist2& wanted) {
+Limit limit(const Outline& outline, const Law& law, const Obstacles& obstacles, const Age& age,
+            const UnderWay& under_way, const Twist2& wanted) {
   const Limit standing{0.0, {0.0, std::nullopt}, false};
   if (!is_sound(wanted)) return standing;
   const double fastest = fastest_point(outline, wanted);

@@ -26,7 +26,7 @@ struct Limit {
 };
 
 /// The greatest factor, as far as the law can tell, from which the robot still stops before it touches what was seen.
-/// `age` [s]: that of the obstacles, which are given at their places of now.
+/// `age`: that of the obstacles, which are given at their places of now.
 ///
 /// The wider a robot may stray from its path the less it may drive, and it strays less if it drives less: factors are
 /// tried from 1 down in steps, each with the margin that the step needs, until one holds. Several sensors: the least
@@ -42,7 +42,7 @@ struct Limit {
 /// obstacles that were not reduced: none of them with a widening.
 ///
 /// `law` must be free of problems_in(law). A twist that is not sound stands.
-Limit limit(const Outline& outline, const Law& law, const Obstacles& obstacles, double age, const UnderWay& under_way,
-            const Twist2& wanted);
+Limit limit(const Outline& outline, const Law& law, const Obstacles& obstacles, const Age& age,
+            const UnderWay& under_way, const Twist2& wanted);
 
 }  // namespace safety_control_cloud

@@ -12,7 +12,7 @@ namespace {
 const Law law;
 
 std::optional<Fan> fan_of(const Twist2& under_way, const Twist2& wanted, const Factors& factors = {0.0, 1.0}) {
-  return fan(circle(0.2, 0.05), law, response_to(law, 0.0, wanted), under_way, wanted, factors);
+  return fan(circle(0.2, 0.05), law, response_to(law, {}, wanted), under_way, wanted, factors);
 }
 
 TEST(Fan, OfOneStraightWayIsThatAlone) {
@@ -35,7 +35,7 @@ TEST(Fan, HoldsTheOldArcTheNewOneAndTheTangentWithWhatLiesBetween) {
 TEST(Fan, LeavesLessToBothSidesThanOnePathDoes) {
   const Outline outline = circle(0.2, 0.05);
   const Twist2 ahead{0.5, 0.0, 0.0}, around{0.5, 0.0, -0.5};
-  const Response response = response_to(law, 0.0, around);
+  const Response response = response_to(law, {}, around);
   const double one_path = straying(outline, law, response, ahead, around, {1.0, 1.0}).widening;
   EXPECT_LT(fan(outline, law, response, ahead, around, {1.0, 1.0})->widening, 0.5 * one_path);
 }

@@ -30,16 +30,26 @@ TEST(Law, EveryFigureIsChecked) {
 TEST(Law, OldDataLengthensTheReaction) {
   Law law;
   law.sensor_period = 0.1, law.latency = 0.02, law.base_reaction = 0.03;
-  EXPECT_DOUBLE_EQ(response_to(law, 0.01, {}).reaction, 0.15);
-  EXPECT_DOUBLE_EQ(response_to(law, 0.40, {}).reaction, 0.45);
-  EXPECT_DOUBLE_EQ(response_to(law, 0.40, {}).delay, 0.05);
+  EXPECT_DOUBLE_EQ(response_to(law, {0.01}, {}).reaction, 0.15);
+  EXPECT_DOUBLE_EQ(response_to(law, {0.40}, {}).reaction, 0.45);
+  EXPECT_DOUBLE_EQ(response_to(law, {0.40}, {}).delay, 0.05);
+}
+
+TEST(Law, WhatApproachesHasTheTimeUntilTheNextLookAllTheWhile) {
+  Law law;
+  law.sensor_period = 0.1, law.latency = 0.02, law.base_reaction = 0.03;
+  EXPECT_DOUBLE_EQ(response_to(law, {}, {}).approaching, response_to(law, {}, {}).reaction);
+  for (const double age : {0.05, 0.10, 0.15}) {
+    EXPECT_DOUBLE_EQ(response_to(law, {age, 0.15}, {}).approaching, 0.20);
+  }
+  EXPECT_DOUBLE_EQ(response_to(law, {0.40, 0.15}, {}).approaching, 0.45) << "which is late";
 }
 
 TEST(Law, TheSlowerAxisDecidesWhenTheRobotStands) {
   Law law;
   law.linear_deceleration = 0.5, law.angular_deceleration = 2.0;
-  EXPECT_DOUBLE_EQ(response_to(law, 0.0, {0.3, 0.4, 1.0}).braking, 1.0);
-  EXPECT_DOUBLE_EQ(response_to(law, 0.0, {0.3, 0.4, -4.0}).braking, 2.0);
+  EXPECT_DOUBLE_EQ(response_to(law, {}, {0.3, 0.4, 1.0}).braking, 1.0);
+  EXPECT_DOUBLE_EQ(response_to(law, {}, {0.3, 0.4, -4.0}).braking, 2.0);
 }
 
 TEST(Law, TheFactorUsesUpJustTheTimeThereIs) {

@@ -11,7 +11,7 @@ namespace safety_control_cloud {
 namespace {
 
 Limit limit_before(const Obstacles& obstacles, const Twist2& wanted, const std::vector<Twist2>& under_way = {}) {
-  return limit(circle(0.2, 0.05), Law{}, obstacles, 0.0, {under_way}, wanted);
+  return limit(circle(0.2, 0.05), Law{}, obstacles, {}, {under_way}, wanted);
 }
 
 Obstacles wall_at(double x) { return {{{x, 0.0}}, {}, 0.0}; }
@@ -54,7 +54,7 @@ TEST(Limit, TheWayOutIsClosedWhileTheRobotStillMovesOtherwise) {
 TEST(Limit, WhoCanBeSlowedAlongHisWayInTimeIsNotToldToStop) {
   const Twist2 wanted{0.44, 0.0, 0.45};
   const auto factor_before = [&](double distance, double slowing) {
-    return limit(circle(0.2, 0.05), Law{}, wall_at(distance), 0.0, {{wanted}, slowing}, wanted).factor;
+    return limit(circle(0.2, 0.05), Law{}, wall_at(distance), {}, {{wanted}, slowing}, wanted).factor;
   };
   double first = infinity, last = 0.0;
   for (double distance = 0.5; distance < 0.9; distance += 0.005) {
@@ -76,7 +76,7 @@ TEST(Straying, IsLessForWhoDrivesLess) {
   const Law law;
   const Outline outline = long_robot();
   const Twist2 wanted{0.5, 0.0, 0.5};
-  const Response response = response_to(law, 0.0, wanted);
+  const Response response = response_to(law, {}, wanted);
   double before = infinity;
   for (const double most : {1.0, 0.7, 0.3, 0.1}) {
     const double widening = straying(outline, law, response, {}, wanted, {0.0, most}).widening;

@@ -9,7 +9,7 @@ namespace safety_control_cloud {
 namespace {
 
 Straying straying_of(const Twist2& under_way, const Twist2& wanted, const Factors& factors = {0.0, 1.0}) {
-  return straying(circle(0.2, 0.05), Law{}, response_to(Law{}, 0.0, wanted), under_way, wanted, factors);
+  return straying(circle(0.2, 0.05), Law{}, response_to(Law{}, {}, wanted), under_way, wanted, factors);
 }
 
 TEST(Straying, WhoDrivesThePathAlreadyDoesNotLeaveIt) {

@@ -94,6 +94,23 @@ def test_obstacles_that_may_approach_are_kept_farther_away():
     assert core.limit(ROUND, core.Law(obstacle_speed=0.3), [(0.30, 0)], wanted).factor == 0
 
 
+def test_little_more_than_what_is_given_would_not_be_safe():
+    parts = []
+    for seed in range(300):
+        random = np.random.default_rng(seed)
+        footprint = replace(random_shape(random), margin=0.05).footprint()
+        points = random.uniform(-1.5, 1.5, (30, 2))
+        points = points[footprint.signed_distance(points) > 0.1]
+        wanted = (random.uniform(0.2, 0.7), 0, random.uniform(-1.2, 1.2))
+        factor = core.limit(footprint, core.Law(), points, wanted).factor
+        if 0.05 < factor < 1:
+            more = [share for share in np.linspace(factor, 1, 100)
+                    if core.limit(footprint, core.Law(), points, core.limited(wanted, share)).factor == 1]
+            parts.append(factor / max(more, default=factor))
+    assert len(parts) > 100
+    assert min(parts) > 0.88 and np.median(parts) > 0.95
+
+
 def test_a_motion_under_way_that_would_not_end_in_time_is_braked_at_once():
     wall = [(0.35, 0)]
     assert core.limit(ROUND, core.Law(), wall, (0.3, 0, 0)).factor > 0
