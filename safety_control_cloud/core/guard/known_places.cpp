@@ -21,6 +21,8 @@ constexpr double beside = 0.04;        ///< [m] a spot may lie by as much to twi
 constexpr double nearly_all = 0.9;     ///< of the spots: some lie in the air behind an edge
 constexpr double most_off = 0.05;      ///< [m] what may lie farther from its place tells nothing
 constexpr double going = 0.3;  ///< [s] in which a thing goes out of sight, shown in one picture and not in the next
+constexpr double same =
+    0.025;  ///< [m] beside what is shown since: no more of a thing is lost than its shown rest hides
 
 using Parts = std::array<bool, parts>;
 using Cell = std::pair<long, long>;
@@ -85,22 +87,22 @@ void LostSpots::forget_places() {
 
 bool LostSpots::are_among(const std::vector<KnownPlace>& known, const Pose2& pose, const Eye& eye, double time,
                           double now) const {
-  std::map<Cell, double> shown_at;  // [s] what was shown so long ago, at least, is there
-  for (const KnownPlace& one : known) {
-    if (one.off > most_off) continue;
-    double& at = shown_at.try_emplace(cell_of(one.place), one.shown_at).first->second;
-    at = std::min(at, one.shown_at);
-  }
+  std::map<Cell, std::vector<const KnownPlace*>> known_in;
+  for (const KnownPlace& one : known)
+    if (one.off <= most_off) known_in[cell_of(one.place)].push_back(&one);
   const SeenAfter seen_after(pose);
   const auto is_known = [&](const auto& spot) {
     const Lost& lost = spot.second;
     if (!lost.place) return false;
     const Point2 here = seen_after(*lost.place);
+    const auto tells = [&](const KnownPlace* one) {
+      return one->shown_at <= lost.since + going || length_of(one->place - here) <= same;
+    };
     const auto [x, y] = cell_of(here);
     for (const long ahead : {-1, 0, 1}) {
       for (const long left : {-1, 0, 1}) {
-        const auto known_there = shown_at.find({x + ahead, y + left});
-        if (known_there != shown_at.end() && known_there->second <= lost.since + going) return true;
+        const auto beside = known_in.find({x + ahead, y + left});
+        if (beside != known_in.end() && std::any_of(beside->second.begin(), beside->second.end(), tells)) return true;
       }
     }
     return now - lost.since > time && !eye.sees(here);

@@ -44,9 +44,10 @@ class LostSpots {
   /// Where they are, nobody knows any more: the frame is another one.
   void forget_places();
 
-  /// Whether nearly all of them are among what is known around a robot at `pose` and was shown last when they were: the
-  /// rest of a long thing, which is still shown, tells nothing of its end. Or have been lost for `time` [s] and
-  /// lie elsewhere than where the eye looks.
+  /// Whether nearly all of them are among what is known around a robot at `pose` and was shown last when they were, or
+  /// just where it has been shown since: the rest of a long thing, which is still shown, tells nothing of its end, but
+  /// a robot that backs off sees again what it had lost. Or have been lost for `time` [s] and lie elsewhere than where
+  /// the eye looks.
   bool are_among(const std::vector<KnownPlace>& known, const Pose2& pose, const Eye& eye, double time,
                  double now) const;
 

@@ -249,5 +249,23 @@ TEST(LostSpots, TheEndOfALongThingIsNotKnownByTheRestOfIt) {
   for (const double stood : {0.5, 3.0, 31.5}) EXPECT_GT(left_before_a_pallet(stood), 0.03) << stood;
 }
 
+/// In its picture it lies elsewhere than where it was lost.
+TEST(LostSpots, WhatIsShownAgainJustThereIsKnown) {
+  const Outlook camera({}, std::get<Placement>(xtion()));
+  const Pose2 pose{{1.0, 2.0}, 0.5};
+  const Point spot(0.1f, 0.0f, 0.6f);
+  const Eye eye{{-0.087, 0.0}, {1.0, 0.0}, 0.5};
+  LostSpots lost;
+  lost.note({spot}, LostSpots::Before{camera, pose}, 10.0);
+  const auto known_by = [&](double beside, double shown_at, double off = 0.0) {
+    const KnownPlace place{{0.6 - 0.087, -0.1 + beside}, spot, off, shown_at};
+    return lost.are_among({place}, pose, eye, 30.0, 15.0);
+  };
+  EXPECT_TRUE(known_by(0.03, 10.1)) << "it was shown there last";
+  EXPECT_FALSE(known_by(0.03, 15.0)) << "as the rest of it is";
+  EXPECT_TRUE(known_by(0.01, 15.0)) << "it is";
+  EXPECT_FALSE(known_by(0.01, 15.0, 0.1)) << "nobody knows whether there";
+}
+
 }  // namespace
 }  // namespace safety_control_cloud
