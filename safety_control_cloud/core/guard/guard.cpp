@@ -159,7 +159,7 @@ Allowed Guard::by_horizon(const Twist2& wanted, const std::vector<Known>& known)
     if (response.reaction >= slowest.reaction) slowest = response;
     double gone = 0.0;
     for (const Pose2& way : one.ways) gone = std::max(gone, length_of(way.place));
-    const double comes = one.law.obstacle_speed * (response.approaching + response.braking);
+    const double comes = approach(one.law, one.age, response, 1.0, 0.0);
     looking.push_back({*one.eye, one.horizon, gone + comes});
   }
   Allowed allowed;

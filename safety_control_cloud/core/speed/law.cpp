@@ -36,14 +36,19 @@ std::vector<std::string> problems_in(const Law& law) {
 }
 
 Response response_to(const Law& law, const Age& age, const Twist2& twist) {
-  const double delay = law.latency + law.base_reaction, reaction = std::max(age.now, law.sensor_period) + delay;
-  return {delay, reaction,
-          std::max(speed_of(twist) / law.linear_deceleration, std::abs(twist.w) / law.angular_deceleration),
-          std::max(reaction, age.at_next_look + delay)};
+  const double delay = law.latency + law.base_reaction;
+  return {delay, std::max(age.now, law.sensor_period) + delay,
+          std::max(speed_of(twist) / law.linear_deceleration, std::abs(twist.w) / law.angular_deceleration)};
+}
+
+double approach(const Law& law, const Age& age, const Response& response, double factor, double share) {
+  const double goes_on = std::max(response.reaction, age.at_next_look + response.delay) + factor * response.braking;
+  const double brakes = age.now + response.delay + share * response.braking;
+  return law.obstacle_speed * std::max(goes_on, brakes);
 }
 
 double greatest_factor(double time, const Response& response, double share) {
-  const auto& [delay, reaction, braking, approaching] = response;
+  const auto& [delay, reaction, braking] = response;
   if (!(time > 0.0) || time < stopping_time(share, delay, braking)) return 0.0;
   if (time >= stopping_time(1.0, reaction, braking) && share <= 1.0) return 1.0;
   const double from_rest = positive_root(0.5 * braking, reaction, time);

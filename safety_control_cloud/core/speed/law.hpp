@@ -35,14 +35,17 @@ struct Age {
 
 /// How a base answers to a change of factor along the path of a twist, all in [s].
 struct Response {
-  double delay;              ///< from a command to its effect: latency + base_reaction
-  double reaction;           ///< in which the robot drives on, whatever appears: max(age, sensor_period) + delay
-  double braking;            ///< from factor 1 to 0, both axes in proportion:
-                             ///< max(hypot(vx, vy) / linear_deceleration, |w| / angular_deceleration)
-  double approaching = 0.0;  ///< for so long, and while the robot brakes, obstacles may have come nearer. It does not
-                             ///< grow until the next look, or who may drive now would have to stop before that.
+  double delay;     ///< from a command to its effect: latency + base_reaction
+  double reaction;  ///< in which the robot drives on, whatever appears: max(age, sensor_period) + delay
+  double braking;   ///< from factor 1 to 0, both axes in proportion:
+                    ///< max(hypot(vx, vy) / linear_deceleration, |w| / angular_deceleration)
 };
 Response response_to(const Law& law, const Age& age, const Twist2& twist);
+
+/// [m] by which an obstacle may have come nearer since it was seen until the robot stands: it goes on at `factor` of
+/// the twist until the next look, or is told now to brake from the `share` that it drives. Of the share no more, or who
+/// was given all that there was would have to brake at the next look.
+double approach(const Law& law, const Age& age, const Response& response, double factor, double share);
 
 /// How much of a twist's path is used up by driving it at a factor s for a time T and stopping then, in [s] of the
 /// twist at factor 1: s T + s^2 t_b / 2. The way in which a body stops from uniform deceleration, here along an arc; to

@@ -19,6 +19,7 @@ struct Question {
   const Outline& outline;
   const Law& law;
   const Obstacles& obstacles;
+  const Age& age;
   Twist2 under_way, wanted;
   Response response;
 
@@ -30,13 +31,10 @@ struct Question {
   }
   /// [s] of the wanted twist until the robot stands.
   double duration(double factor) const { return stopping_time(factor, response.reaction, response.braking); }
-  /// [m] by which an obstacle may come nearer until then.
-  double approach(double factor) const {
-    return law.obstacle_speed * (response.approaching + factor * response.braking);
-  }
-  Sweep sweep(double widening, double factor) const { return sweep(wanted, widening, factor); }
-  Sweep sweep(const Twist2& twist, double widening, double factor) const {
-    return {outline, twist, obstacles.widening + widening + approach(factor), duration(factor) * (1.0 + 1e-9)};
+  Sweep sweep(double widening, double factor, double share) const { return sweep(wanted, widening, factor, share); }
+  Sweep sweep(const Twist2& twist, double widening, double factor, double share) const {
+    const double nearer = approach(law, age, response, factor, share);
+    return {outline, twist, obstacles.widening + widening + nearer, duration(std::max(factor, share)) * (1.0 + 1e-9)};
   }
   /// [s] A contact before leaves less than the least factor, whatever else there is.
   double hopeless(double least, double share) const {
@@ -63,8 +61,7 @@ Limit tried(const Question& question, const Factors& factors, double share, std:
 Limit tried_by_fan(const Question& question, const Factors& factors, const Fan& fan,
                    std::optional<std::size_t> suspect) {
   std::vector<Sweep> sweeps;
-  for (const Twist2& twist : fan.twists)
-    sweeps.push_back(question.sweep(twist, fan.widening, std::max(factors.most, fan.share)));
+  for (const Twist2& twist : fan.twists) sweeps.push_back(question.sweep(twist, fan.widening, factors.most, fan.share));
   return tried(question, factors, fan.share, suspect, [&](const Point2& point) {
     double first = std::numeric_limits<double>::infinity();
     for (const Sweep& sweep : sweeps) first = std::min(first, sweep.time_to_contact(point));
@@ -75,7 +72,7 @@ Limit tried_by_fan(const Question& question, const Factors& factors, const Fan& 
 /// By the path of the wish and a margin to both of its sides, or by the fan: each is a bound, so the greater holds.
 Limit tried(const Question& question, const Factors& factors, std::optional<std::size_t> suspect) {
   const Straying off = question.straying_at(factors);
-  const Sweep sweep = question.sweep(off.widening, std::max(factors.most, off.share));
+  const Sweep sweep = question.sweep(off.widening, factors.most, off.share);
   const Limit limit =
       tried(question, factors, off.share, suspect, [&](const Point2& point) { return sweep.time_to_contact(point); });
   if (limit.factor >= factors.most) return limit;
@@ -109,7 +106,7 @@ double time_on_the_way_out(const Question& question, const Sweep& sweep, double 
 Limit on_the_way_out(const Question& question, double factor) {
   const Straying off = question.straying_at({0.0, factor});
   const double most = std::max(factor, off.share);
-  const Sweep sweep = question.sweep(off.widening, most);
+  const Sweep sweep = question.sweep(off.widening, factor, off.share);
   const auto time_of = [&](const Point2& point) {
     return time_on_the_way_out(question, sweep, question.duration(most), off.widening, point);
   };
@@ -123,9 +120,9 @@ Limit on_the_way_out(const Question& question, double factor) {
 /// Whether the robot comes to stand in time if it goes on for the delay, and then brakes along the path; but for what
 /// noise of the sensor may have taken from that since it was given its speed, and of that no more than half the margin.
 bool slows_in_time(const Question& question) {
-  const auto& [outline, law, obstacles, under_way, wanted, response] = question;
+  const auto& [outline, law, obstacles, age, under_way, wanted, response] = question;
   const Straying off = question.straying_at({0.0, 0.0, true});
-  const Sweep sweep = question.sweep(off.widening, off.share);
+  const Sweep sweep = question.sweep(off.widening, 0.0, off.share);
   const double lost = std::min(2.0 * law.noise, 0.5 * outline.margin()) / fastest_point(outline, wanted);
   const double needed =
       std::max(std::numeric_limits<double>::min(), stopping_time(off.share, response.delay, response.braking) - lost);
@@ -154,7 +151,7 @@ Limit limit(const Outline& outline, const Law& law, const Obstacles& obstacles, 
   const double fastest = fastest_point(outline, wanted);
   if (fastest == 0.0) return {};
   const double escape = std::min(1.0, law.escape_speed / fastest);
-  Question question{outline, law, obstacles, {}, wanted, response_to(law, age, wanted)};
+  Question question{outline, law, obstacles, age, {}, wanted, response_to(law, age, wanted)};
   Limit least = under_way.twists.empty() ? limit_from(question, escape, 0.0) : Limit{};
   for (const Twist2& twist : under_way.twists) {
     if (!is_sound(twist)) return standing;

@@ -35,14 +35,20 @@ TEST(Law, OldDataLengthensTheReaction) {
   EXPECT_DOUBLE_EQ(response_to(law, {0.40}, {}).delay, 0.05);
 }
 
-TEST(Law, WhatApproachesHasTheTimeUntilTheNextLookAllTheWhile) {
+TEST(Law, WhatApproachesDoesSoUntilTheRobotStands) {
   Law law;
   law.sensor_period = 0.1, law.latency = 0.02, law.base_reaction = 0.03;
-  EXPECT_DOUBLE_EQ(response_to(law, {}, {}).approaching, response_to(law, {}, {}).reaction);
-  for (const double age : {0.05, 0.10, 0.15}) {
-    EXPECT_DOUBLE_EQ(response_to(law, {age, 0.15}, {}).approaching, 0.20);
-  }
-  EXPECT_DOUBLE_EQ(response_to(law, {0.40, 0.15}, {}).approaching, 0.45) << "which is late";
+  law.linear_deceleration = 0.5, law.obstacle_speed = 0.2;
+  const Twist2 wanted{0.5, 0.0, 0.0};  // 1 s of braking
+  const auto nearer = [&](const Age& age, double factor, double share) {
+    return approach(law, age, response_to(law, age, wanted), factor, share) / law.obstacle_speed;
+  };
+  EXPECT_DOUBLE_EQ(nearer({}, 0.5, 0.0), 0.15 + 0.5);
+  for (const double age : {0.05, 0.10, 0.15})
+    EXPECT_DOUBLE_EQ(nearer({age, 0.15}, 0.5, 0.0), 0.20 + 0.5) << "until the next look: what is given now, is then";
+  EXPECT_DOUBLE_EQ(nearer({0.40, 0.15}, 0.5, 0.0), 0.45 + 0.5) << "which is late";
+  EXPECT_DOUBLE_EQ(nearer({0.05, 0.15}, 0.0, 0.5), 0.10 + 0.5) << "who is told to brake does not wait for it";
+  EXPECT_DOUBLE_EQ(nearer({0.05, 0.15}, 0.45, 0.5), 0.20 + 0.45) << "the later of both";
 }
 
 TEST(Law, TheSlowerAxisDecidesWhenTheRobotStands) {
