@@ -34,15 +34,21 @@ struct Question {
   Sweep sweep(double widening, double factor, double share) const { return sweep(wanted, widening, factor, share); }
   Sweep sweep(const Twist2& twist, double widening, double factor, double share) const {
     const double nearer = approach(law, age, response, factor, share);
-    return {outline, twist, obstacles.widening + widening + nearer, duration(std::max(factor, share)) * (1.0 + 1e-9)};
+    const double horizon = (duration(std::max(factor, share)) + by_noise()) * (1.0 + 1e-9);
+    return {outline, twist, obstacles.widening + widening + nearer, horizon};
   }
+  /// [s] of the wanted twist that noise of the sensor may take: no more than half the margin.
+  double by_noise() const { return std::min(2.0 * law.noise, 0.5 * outline.margin()) / fastest_point(outline, wanted); }
   /// [s] A contact before leaves less than the least factor, whatever else there is.
   double hopeless(double least, double share) const {
     const double needed = std::max(duration(least), stopping_time(share, response.delay, response.braking));
     return std::max(std::numeric_limits<double>::min(), needed * (1.0 - 1e-9));
   }
   Limit answer(double most, double share, const Contact& first) const {
-    return {std::min(most, greatest_factor(first.time, response, share)), first, false};
+    double factor = greatest_factor(first.time, response, share);
+    const double with_noise = std::max(first.time - by_noise(), 0.5 * first.time);
+    if (factor > share) factor = std::max(share, greatest_factor(with_noise, response, share));
+    return {std::min(most, factor), first, false};
   }
 };
 
@@ -123,9 +129,8 @@ bool slows_in_time(const Question& question) {
   const auto& [outline, law, obstacles, age, under_way, wanted, response] = question;
   const Straying off = question.straying_at({0.0, 0.0, true});
   const Sweep sweep = question.sweep(off.widening, 0.0, off.share);
-  const double lost = std::min(2.0 * law.noise, 0.5 * outline.margin()) / fastest_point(outline, wanted);
-  const double needed =
-      std::max(std::numeric_limits<double>::min(), stopping_time(off.share, response.delay, response.braking) - lost);
+  const double needed = std::max(std::numeric_limits<double>::min(),
+                                 stopping_time(off.share, response.delay, response.braking) - question.by_noise());
   const auto first =
       contact(obstacles, law.min_points, needed, [&](const Point2& point) { return sweep.time_to_contact(point); });
   return first.time >= needed;

@@ -32,6 +32,10 @@ struct Limit {
 /// tried from 1 down in steps, each with the margin that the step needs, until one holds. Several sensors: the least
 /// factor of theirs. Nothing is asked of a robot that wants to stand.
 ///
+/// More than what is under way is given only up to what still holds if the next look shows the obstacle nearer by twice
+/// the noise, or by half of the margin, or of the time to contact, whichever is least: or the robot would have to be
+/// braked then, and jerk. What it drives already it keeps as long as the law allows.
+///
 /// Where less than what is under way is left, a command to stop would have the base brake each axis as fast as it can,
 /// and leave the path on which it is judged. If it can be slowed along that in time, it is told `slowing` in place of
 /// less: the slowest base brakes just so, and none is faster that follows what it is told within the delay. Who lets go

@@ -10,9 +10,8 @@ from base import Base
 from safety_control_cloud import core
 from shapes import random_shape
 
-AT_ONCE = core.Law(
-    sensor_period=0, latency=0, base_reaction=0, linear_deceleration=1, angular_deceleration=pi / 2, escape_speed=0.1
-)
+BASE = dict(sensor_period=0, latency=0, base_reaction=0, linear_deceleration=1, angular_deceleration=pi / 2)
+AT_ONCE, WITHOUT_NOISE = core.Law(**BASE), core.Law(noise=0, **BASE)
 LONG_ROBOT = core.Footprint([(-2, -0.1), (0, -0.1), (0, 0.1), (-2, 0.1)])
 ROUND = core.Footprint(radius=0.2, margin=0.05)
 
@@ -51,7 +50,7 @@ def test_a_point_beside_the_tail_limits_turning_toward_it():
 @pytest.mark.parametrize("heading", np.arange(16) * pi / 8)
 def test_an_omnidirectional_robot_keeps_its_direction(heading):
     wanted = (2 * cos(heading), 2 * sin(heading), 0)
-    forward, left, turning = given(ROUND, AT_ONCE, [(0.75 * cos(heading), 0.75 * sin(heading))], wanted)
+    forward, left, turning = given(ROUND, WITHOUT_NOISE, [(0.75 * cos(heading), 0.75 * sin(heading))], wanted)
     assert (forward, left) == pytest.approx((cos(heading), sin(heading)))
     assert turning == 0
 
@@ -121,6 +120,24 @@ def test_turning_in_place_waits_until_the_robot_has_stopped_before_a_wall():
     corridor = [(0.35, y) for y in np.linspace(-1, 1, 50)]
     assert core.limit(ROUND, core.Law(), corridor, (0, 0, 1)).factor == 1
     assert core.limit(ROUND, core.Law(), corridor, (0, 0, 1), under_way=[(0.5, 0, 0)]).factor < 0.1
+
+
+@pytest.mark.parametrize("away", [-0.1, -0.05, 0.0, 0.05])
+@pytest.mark.parametrize("wanted", [(0.5, 0, 0), (0.5, 0, 0.2)])
+def test_what_has_been_given_is_not_taken_away_for_noise(wanted, away):
+    """Nor given again: a robot that only commands tell of would jerk before every wall."""
+    law, under_way = core.Law(), []
+
+    def factor_before_a_wall(nearer):
+        wall = np.column_stack([np.full(200, 0.6 + away - nearer), np.linspace(-1, 1, 200)])
+        return core.limit(ROUND, law, wall, wanted, under_way=under_way).factor
+
+    for _ in range(20):
+        factor = factor_before_a_wall(0.0)
+        under_way = [core.limited(wanted, factor)]
+    assert 0.6 < factor < 1
+    for nearer in (law.noise, 2 * law.noise):
+        assert factor_before_a_wall(nearer) > 0.99 * factor
 
 
 def test_out_of_the_margin_the_fastest_point_keeps_to_the_escape_speed():
