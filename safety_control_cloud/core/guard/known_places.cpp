@@ -91,10 +91,7 @@ bool LostSpots::are_among(const std::vector<KnownPlace>& known, const Pose2& pos
   for (const KnownPlace& one : known)
     if (one.off <= most_off) known_in[cell_of(one.place)].push_back(&one);
   const SeenAfter seen_after(pose);
-  const auto is_known = [&](const auto& spot) {
-    const Lost& lost = spot.second;
-    if (!lost.place) return false;
-    const Point2 here = seen_after(*lost.place);
+  const auto is_near_one = [&](const Point2& here, const Lost& lost) {
     const auto tells = [&](const KnownPlace* one) {
       return one->shown_at <= lost.since + going || length_of(one->place - here) <= same;
     };
@@ -105,9 +102,19 @@ bool LostSpots::are_among(const std::vector<KnownPlace>& known, const Pose2& pos
         if (beside != known_in.end() && std::any_of(beside->second.begin(), beside->second.end(), tells)) return true;
       }
     }
-    return now - lost.since > time && !eye.sees(here);
+    return false;
   };
-  const auto known_ones = static_cast<double>(std::count_if(spots_.begin(), spots_.end(), is_known));
+  double known_ones = 0.0;
+  for (const auto& [seen, lost] : spots_) {
+    const bool is_old = now - lost.since > time - going;
+    if (!lost.place) {
+      if (is_old) return false;
+      continue;
+    }
+    const Point2 here = seen_after(*lost.place);
+    if (is_old && eye.sees(here)) return false;
+    if (is_old || is_near_one(here, lost)) ++known_ones;
+  }
   return known_ones >= nearly_all * static_cast<double>(spots_.size());
 }
 

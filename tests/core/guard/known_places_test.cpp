@@ -267,5 +267,28 @@ TEST(LostSpots, WhatIsShownAgainJustThereIsKnown) {
   EXPECT_FALSE(known_by(0.01, 15.0, 0.1)) << "nobody knows whether there";
 }
 
+/// A rod before a board: when its place is forgotten, that of the board, which was lost later, does not speak for it.
+TEST(LostSpots, OneThatIsForgottenIsNotKnownByAllTheOthers) {
+  const Outlook camera({}, std::get<Placement>(xtion()));
+  const LostSpots::Before before{camera, {}};
+  const Eye ahead_of_it{{-0.087, 0.0}, {1.0, 0.0}, 0.5}, aside{{-0.087, 0.0}, {0.0, 1.0}, 0.5};
+  std::vector<Point> spots{{0.0f, 0.0f, 0.5f}};
+  LostSpots lost;
+  lost.note(spots, before, 10.0);
+  std::vector<KnownPlace> board;
+  for (int i = 0; i < 20; ++i) {
+    const float aside_of_it = 0.01f * static_cast<float>(i - 10);
+    spots.emplace_back(aside_of_it, 0.0f, 0.6f);
+    board.push_back({{0.6 - 0.087, double{-aside_of_it}}, spots.back(), 0.0, 20.0});
+  }
+  lost.note(spots, before, 20.0);
+  const auto are_known = [&](double now, const Eye& eye) { return lost.are_among(board, {}, eye, 30.0, now); };
+  EXPECT_TRUE(are_known(39.0, ahead_of_it)) << "but for a few";
+  EXPECT_FALSE(are_known(40.0, ahead_of_it));
+  EXPECT_TRUE(are_known(40.0, aside)) << "where nobody drives";
+  EXPECT_FALSE(are_known(60.0, ahead_of_it));
+  EXPECT_TRUE(are_known(60.0, aside));
+}
+
 }  // namespace
 }  // namespace safety_control_cloud
