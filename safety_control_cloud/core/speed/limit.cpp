@@ -22,6 +22,7 @@ struct Question {
   const Age& age;
   Twist2 under_way, wanted;
   Response response;
+  double by_noise;  ///< [s] of the wanted twist that noise of the sensor may take: no more than half the margin
 
   Straying straying_at(const Factors& factors) const {
     return straying(outline, law, response, under_way, wanted, factors);
@@ -34,11 +35,9 @@ struct Question {
   Sweep sweep(double widening, double factor, double share) const { return sweep(wanted, widening, factor, share); }
   Sweep sweep(const Twist2& twist, double widening, double factor, double share) const {
     const double nearer = approach(law, age, response, factor, share);
-    const double horizon = (duration(std::max(factor, share)) + by_noise()) * (1.0 + 1e-9);
+    const double horizon = (duration(std::max(factor, share)) + by_noise) * (1.0 + 1e-9);
     return {outline, twist, obstacles.widening + widening + nearer, horizon};
   }
-  /// [s] of the wanted twist that noise of the sensor may take: no more than half the margin.
-  double by_noise() const { return std::min(2.0 * law.noise, 0.5 * outline.margin()) / fastest_point(outline, wanted); }
   /// [s] A contact before leaves less than the least factor, whatever else there is.
   double hopeless(double least, double share) const {
     const double needed = std::max(duration(least), stopping_time(share, response.delay, response.braking));
@@ -46,7 +45,7 @@ struct Question {
   }
   Limit answer(double most, double share, const Contact& first) const {
     double factor = greatest_factor(first.time, response, share);
-    const double with_noise = std::max(first.time - by_noise(), 0.5 * first.time);
+    const double with_noise = std::max(first.time - by_noise, 0.5 * first.time);
     if (factor > share) factor = std::max(share, greatest_factor(with_noise, response, share));
     return {std::min(most, factor), first, false};
   }
@@ -126,11 +125,11 @@ Limit on_the_way_out(const Question& question, double factor) {
 /// Whether the robot comes to stand in time if it goes on for the delay, and then brakes along the path; but for what
 /// noise of the sensor may have taken from that since it was given its speed, and of that no more than half the margin.
 bool slows_in_time(const Question& question) {
-  const auto& [outline, law, obstacles, age, under_way, wanted, response] = question;
+  const auto& [outline, law, obstacles, age, under_way, wanted, response, by_noise] = question;
   const Straying off = question.straying_at({0.0, 0.0, true});
   const Sweep sweep = question.sweep(off.widening, 0.0, off.share);
   const double needed = std::max(std::numeric_limits<double>::min(),
-                                 stopping_time(off.share, response.delay, response.braking) - question.by_noise());
+                                 stopping_time(off.share, response.delay, response.braking) - by_noise);
   const auto first =
       contact(obstacles, law.min_points, needed, [&](const Point2& point) { return sweep.time_to_contact(point); });
   return first.time >= needed;
@@ -156,7 +155,8 @@ Limit limit(const Outline& outline, const Law& law, const Obstacles& obstacles, 
   const double fastest = fastest_point(outline, wanted);
   if (fastest == 0.0) return {};
   const double escape = std::min(1.0, law.escape_speed / fastest);
-  Question question{outline, law, obstacles, age, {}, wanted, response_to(law, age, wanted)};
+  const double by_noise = std::min(2.0 * law.noise, 0.5 * outline.margin()) / fastest;
+  Question question{outline, law, obstacles, age, {}, wanted, response_to(law, age, wanted), by_noise};
   Limit least = under_way.twists.empty() ? limit_from(question, escape, 0.0) : Limit{};
   for (const Twist2& twist : under_way.twists) {
     if (!is_sound(twist)) return standing;
