@@ -106,7 +106,7 @@ bool LostSpots::are_among(const std::vector<KnownPlace>& known, const Pose2& pos
   };
   double known_ones = 0.0;
   for (const auto& [seen, lost] : spots_) {
-    const bool is_old = now - lost.since > time - going;
+    const bool is_old = now - lost.since > time - going;  // it was shown last, so is forgotten, so much sooner
     if (!lost.place) {
       if (is_old) return false;
       continue;

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How much of a wish is let through."""
 from dataclasses import replace
+from functools import partial
 from math import cos, inf, pi, sin
 
 import numpy as np
@@ -10,8 +11,10 @@ from base import Base
 from safety_control_cloud import core
 from shapes import random_shape
 
-BASE = dict(sensor_period=0, latency=0, base_reaction=0, linear_deceleration=1, angular_deceleration=pi / 2)
-AT_ONCE, WITHOUT_NOISE = core.Law(**BASE), core.Law(noise=0, **BASE)
+at_once = partial(
+    core.Law, sensor_period=0, latency=0, base_reaction=0, linear_deceleration=1, angular_deceleration=pi / 2, escape_speed=0.1
+)
+AT_ONCE, WITHOUT_NOISE = at_once(), at_once(noise=0)
 LONG_ROBOT = core.Footprint([(-2, -0.1), (0, -0.1), (0, 0.1), (-2, 0.1)])
 ROUND = core.Footprint(radius=0.2, margin=0.05)
 
