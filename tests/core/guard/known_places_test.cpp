@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../../safety_control_cloud/core/guard/known_places.hpp"
-
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -9,36 +7,6 @@
 
 namespace safety_control_cloud {
 namespace {
-
-const FieldOfView xtion_field{-0.577, 0.577, -0.433, 0.433};
-
-/// A place that stands on the floor, so far ahead of the camera and to its right.
-KnownPlace standing(float ahead, float right, double off = 0.01) {
-  return {{}, Point(right, 0.35f * ahead, ahead), off};
-}
-
-std::vector<KnownPlace> standing_across(float ahead, float from, float to, double off = 0.01) {
-  std::vector<KnownPlace> known;
-  for (float right = from; right <= to; right += 0.01f) known.push_back(standing(ahead, right, off));
-  return known;
-}
-
-TEST(Hides, WhatIsKnownToStandThereAndNothingElse) {
-  const std::vector<Span> middle{{0.4, 0.6}};
-  EXPECT_TRUE(hides(standing_across(0.36f, -0.05f, 0.05f), middle, xtion_field, 0.4));
-  EXPECT_FALSE(hides(standing_across(0.36f, -0.05f, 0.0f), middle, xtion_field, 0.4)) << "half of it";
-  EXPECT_FALSE(hides(standing_across(0.36f, 0.1f, 0.2f), middle, xtion_field, 0.4)) << "beside it";
-  EXPECT_FALSE(hides(standing_across(0.5f, -0.1f, 0.1f), middle, xtion_field, 0.4)) << "there it would return";
-  EXPECT_FALSE(hides(standing_across(0.36f, -0.05f, 0.05f, 0.1), middle, xtion_field, 0.4)) << "it may be anywhere";
-  EXPECT_FALSE(hides({}, middle, xtion_field, 0.4));
-  EXPECT_TRUE(hides({}, {}, xtion_field, 0.4)) << "nothing is hidden";
-}
-
-TEST(Hides, NoFloorIsHiddenByWhatHangsAboveIt) {
-  std::vector<KnownPlace> board = standing_across(0.36f, -0.05f, 0.05f);
-  for (KnownPlace& place : board) place.seen_from_camera.y = -0.1f;
-  EXPECT_FALSE(hides(board, {{0.4, 0.6}}, xtion_field, 0.4));
-}
 
 /// A robot that drives up to what is so far ahead of its camera until that is too near for it.
 void drives_up(RobotWithOdometry& robot, Scene (*at)(float)) {
@@ -247,47 +215,6 @@ double left_before_a_pallet(double stood) {
 /// The rest of a long thing is in view as long as its end is not.
 TEST(LostSpots, TheEndOfALongThingIsNotKnownByTheRestOfIt) {
   for (const double stood : {0.5, 3.0, 31.5}) EXPECT_GT(left_before_a_pallet(stood), 0.03) << stood;
-}
-
-/// In its picture it lies elsewhere than where it was lost.
-TEST(LostSpots, WhatIsShownAgainJustThereIsKnown) {
-  const Outlook camera({}, std::get<Placement>(xtion()));
-  const Pose2 pose{{1.0, 2.0}, 0.5};
-  const Point spot(0.1f, 0.0f, 0.6f);
-  const Eye eye{{-0.087, 0.0}, {1.0, 0.0}, 0.5};
-  LostSpots lost;
-  lost.note({spot}, LostSpots::Before{camera, pose}, 10.0);
-  const auto known_by = [&](double beside, double shown_at, double off = 0.0) {
-    const KnownPlace place{{0.6 - 0.087, -0.1 + beside}, spot, off, shown_at};
-    return lost.are_among({place}, pose, eye, 30.0, 15.0);
-  };
-  EXPECT_TRUE(known_by(0.03, 10.1)) << "it was shown there last";
-  EXPECT_FALSE(known_by(0.03, 15.0)) << "as the rest of it is";
-  EXPECT_TRUE(known_by(0.01, 15.0)) << "it is";
-  EXPECT_FALSE(known_by(0.01, 15.0, 0.1)) << "nobody knows whether there";
-}
-
-/// A rod before a board: when its place is forgotten, that of the board, which was lost later, does not speak for it.
-TEST(LostSpots, OneThatIsForgottenIsNotKnownByAllTheOthers) {
-  const Outlook camera({}, std::get<Placement>(xtion()));
-  const LostSpots::Before before{camera, {}};
-  const Eye ahead_of_it{{-0.087, 0.0}, {1.0, 0.0}, 0.5}, aside{{-0.087, 0.0}, {0.0, 1.0}, 0.5};
-  std::vector<Point> spots{{0.0f, 0.0f, 0.5f}};
-  LostSpots lost;
-  lost.note(spots, before, 10.0);
-  std::vector<KnownPlace> board;
-  for (int i = 0; i < 20; ++i) {
-    const float aside_of_it = 0.01f * static_cast<float>(i - 10);
-    spots.emplace_back(aside_of_it, 0.0f, 0.6f);
-    board.push_back({{0.6 - 0.087, double{-aside_of_it}}, spots.back(), 0.0, 20.0});
-  }
-  lost.note(spots, before, 20.0);
-  const auto are_known = [&](double now, const Eye& eye) { return lost.are_among(board, {}, eye, 30.0, now); };
-  EXPECT_TRUE(are_known(39.0, ahead_of_it)) << "but for a few";
-  EXPECT_FALSE(are_known(40.0, ahead_of_it));
-  EXPECT_TRUE(are_known(40.0, aside)) << "where nobody drives";
-  EXPECT_FALSE(are_known(60.0, ahead_of_it));
-  EXPECT_TRUE(are_known(60.0, aside));
 }
 
 }  // namespace
