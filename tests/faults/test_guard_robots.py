@@ -104,7 +104,7 @@ def test_the_nodelet_guards_as_the_node_does(master):
         robot.camera.show(hall(wall(0.4 + CAMERA_TO_FRONT)))
         robot.stands("NO_COMMAND")
         robot.driver.say(twist(0.5, 0.2))
-        robot.gives(lambda state: 0.1 < state.factor < 0.9)
+        robot.slows()
         robot.camera.show(always(cloud_of(NOWHERE)))
         robot.stands("BLIND")
 
