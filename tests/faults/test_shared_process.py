@@ -12,7 +12,7 @@ import pytest
 import rospy
 from commanders import ITS_END, first, is_doubted, mean_speed
 from listening import Heard
-from robot import AGAIN, NODE, SOURCE_TIMEOUT, START, after, eventually, robot_with
+from robot import AGAIN, NODE, SOURCE_TIMEOUT, START, after, eventually, is_sending, robot_with
 from scenes import always, cloud_of, hall, points_of, wall
 from std_msgs.msg import Float64
 
@@ -106,7 +106,7 @@ def test_others_that_keep_the_queue_busy_do_not_keep_the_robot_driving(shared):
 def test_nodelets_that_keep_all_workers_busy_do_not_keep_this_one_waiting(master):
     with robot_in([str(BUSY_MANAGER)]) as robot:
         busy = Heard("/busy", Float64)
-        eventually(lambda: busy.subscriber.get_num_connections() > 0)
+        eventually(lambda: is_sending("/busy_manager", "/busy"))
         until = time.monotonic() + BLOCKED
         says("/block", BLOCKED)
         eventually(lambda: len(busy.all()) == os.cpu_count())
