@@ -31,15 +31,18 @@ def picture(begins: float, low: float, high: float) -> np.ndarray:
     return np.stack([z * RIGHT, z * DOWN, z], -1).astype(np.float32)
 
 
-def gap_left(low: float, high: float, speed: float, odometry: bool) -> float:
-    """[m] before a thing 0.9 m ahead, between these heights, for who drives at it for 14 s."""
-    control = core.GuardControl(core.Settings(mode="guard"))
+FLOOR = picture(10.0, 0.0, 0.1)
+
+
+def gap_left(low: float, high: float, speed: float, odometry: bool, lasts: float = 15.0, gone: float = np.inf, **settings) -> float:
+    """[m] before a thing 0.9 m ahead, between these heights, for who drives at it for so long [s]; it is gone then."""
+    control = core.GuardControl(core.Settings(mode="guard", **settings))
     x, end = 0.0, 0.9 + BODY_RADIUS  # [m] of the robot, and of what stands there
-    for i in range(300):
+    for i in range(round(lasts / PERIOD)):
         now = i * PERIOD
         if odometry:
             control.note_odometry(1000.0 + now, (x, 0.0, 0.0), (0.0, 0.0, 0.0))
-        seen = picture(end - x - CAMERA_X, low, high)
+        seen = picture(end - x - CAMERA_X, low, high) if now < gone else FLOOR
         control.see(seen, now=now, stamp=1000.0 + now, ros_now=1000.0 + now, camera=CAMERA)
         control.want((speed if now > 1.0 else 0.0, 0.0, 0.0), (0.0, 0.0, 0.0), now=now, ros_now=1000.0 + now)
         x += PERIOD * control.answer(now=now, ros_now=1000.0 + now).given.linear[0]
@@ -58,6 +61,21 @@ def test_the_end_of_a_low_thing_stays_where_it_was_below_the_picture(height, spe
 @pytest.mark.parametrize("low", [0.49, 0.52])
 def test_the_edge_of_a_table_stays_where_it_was_above_the_picture(low, speed, odometry):
     assert 0.03 < gap_left(low, low + 0.03, speed, odometry) < 0.4
+
+
+@pytest.mark.parametrize("odometry", [True, False])
+@pytest.mark.parametrize("low, high", [(0.0, 0.09), (0.0, 0.12), (0.49, 0.52), (0.52, 0.55)])
+def test_one_end_is_kept_as_long_as_the_other_is_shown(low, high, odometry):
+    for memory_time in (5.0, 12.0):
+        at_first = gap_left(low, high, 0.2, odometry, memory_time=memory_time)
+        assert gap_left(low, high, 0.2, odometry, 40.0, memory_time=memory_time) == pytest.approx(at_first, abs=0.005)
+
+
+@pytest.mark.parametrize("odometry", [True, False])
+def test_of_a_thing_that_is_gone_no_end_is_kept(odometry):
+    """The robot had stood before it for twice as long as the memory holds."""
+    assert gap_left(0.0, 0.1, 0.2, odometry, 18.0, gone=15.0, memory_time=5.0) > 0.03
+    assert gap_left(0.0, 0.1, 0.2, odometry, 23.0, gone=15.0, memory_time=5.0) < 0.0
 
 
 def test_the_end_of_a_beam_stays_where_it_was_for_who_coasts_between_bursts():

@@ -61,6 +61,14 @@ bool LooksTaken::is_latest_of_its_sensor(std::uint64_t look) const {
   return taken && latest_of_.at(taken->sensor) == look;
 }
 
+std::optional<std::uint64_t> LooksTaken::before_latest_of_its_sensor(std::uint64_t look) const {
+  const Taken* taken = find(look);
+  if (!taken) return std::nullopt;
+  for (std::uint64_t before = latest_of_.at(taken->sensor) - 1; const Taken* earlier = find(before); --before)
+    if (earlier->sensor == taken->sensor && earlier->stamp) return before;
+  return std::nullopt;
+}
+
 WaySince::WaySince(const LooksTaken& looks, const Whereabouts& robot)
     : looks_(looks), robot_(robot), drift_(looks.drift_until(robot)), ways_(robot.or_else.empty() ? 0 : looks.size()) {}
 

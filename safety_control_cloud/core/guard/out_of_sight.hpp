@@ -29,8 +29,8 @@ struct OutOfSightLimits {
 
 /// What came near the robot and no sensor shows any more: beside it, behind it, in its blind zone. Kept as places in a
 /// frame that rests, in which somebody says where the robot is, each until a sensor sees what is behind it, or has seen
-/// nothing there for a while where it could, or until its time is over. A place counts once two looks have shown it, or
-/// one beside it.
+/// nothing there for a while where it could, or until its time is over and none of what it hangs together with is shown
+/// any more. A place counts once two looks have shown it, or one beside it.
 class OutOfSight {
  public:
   explicit OutOfSight(OutOfSightLimits limits) : limits_(std::move(limits)) {}
@@ -87,12 +87,12 @@ class OutOfSight {
 
  private:
   struct Place {
-    double x, y;         ///< [m] in the resting frame, which may begin far away
-    float z;             ///< [m] above base_frame
-    Heights stands;      ///< what it is a part of
-    std::uint64_t look;  ///< the latest that showed it
-    double first_seen;   ///< [s] steady
-    double off = 0.0;    ///< [m] by which it may have been displaced as it was seen, or before this frame rested
+    double x, y;                   ///< [m] in the resting frame, which may begin far away
+    float z;                       ///< [m] above base_frame
+    Heights stands;                ///< what it is a part of
+    std::uint64_t look;            ///< the latest that showed it
+    double first_seen, last_seen;  ///< [s] steady
+    double off = 0.0;  ///< [m] by which it may have been displaced as it was seen, or before this frame rested
     std::uint8_t looks = 1, away = 0;
     std::optional<double> absent_since = std::nullopt;  ///< [s] steady
   };
@@ -106,6 +106,7 @@ class OutOfSight {
 
   const LooksTaken::Taken* shown_by(const Place& place, double now) const;
   void drop_what_is_over(double now);
+  void keep_the_rest_of_what_is_shown(const Whereabouts& robot, double now);
   void make_room(const Point2& robot);
   bool counts(const Place& place, double now) const;
   template <class Visit>
@@ -120,6 +121,7 @@ class OutOfSight {
   OutOfSightLimits limits_;
   std::unordered_map<std::uint64_t, Place> places_;  ///< by cell
   LooksTaken looks_;                                 ///< as long as a place of theirs may be kept
+  double rest_kept_ = 0.0;                           ///< [s] steady, last
 };
 
 }  // namespace safety_control_cloud
