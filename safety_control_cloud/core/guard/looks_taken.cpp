@@ -61,11 +61,9 @@ bool LooksTaken::is_latest_of_its_sensor(std::uint64_t look) const {
   return taken && latest_of_.at(taken->sensor) == look;
 }
 
-std::optional<std::uint64_t> LooksTaken::before_latest_of_its_sensor(std::uint64_t look) const {
-  const Taken* taken = find(look);
-  if (!taken) return std::nullopt;
-  for (std::uint64_t before = latest_of_.at(taken->sensor) - 1; const Taken* earlier = find(before); --before)
-    if (earlier->sensor == taken->sensor && earlier->stamp) return before;
+std::optional<std::uint64_t> LooksTaken::placed_before_latest_of(std::size_t sensor) const {
+  for (std::uint64_t before = latest_of_.at(sensor) - 1; const Taken* earlier = find(before); --before)
+    if (earlier->sensor == sensor && earlier->stamp) return before;
   return std::nullopt;
 }
 

@@ -51,8 +51,8 @@ class LooksTaken {
   /// Whether no later look of the same sensor has been taken.
   bool is_latest_of_its_sensor(std::uint64_t look) const;
 
-  /// The one before that, of those that were placed by a stamp; none: all are forgotten, or `look` is.
-  std::optional<std::uint64_t> before_latest_of_its_sensor(std::uint64_t look) const;
+  /// The one before that, of those that were placed by a stamp; none: they are forgotten.
+  std::optional<std::uint64_t> placed_before_latest_of(std::size_t sensor) const;
 
  private:
   void add(std::size_t sensor, const Whereabouts& robot, double now, std::optional<double> stamp);

@@ -19,13 +19,12 @@ constexpr double kept_share = 0.75;           ///< of them where there are too m
 constexpr std::uint8_t believed = 2;          ///< looks that show a place, or what is behind it
 /// [m] Places are told apart by these; what may be off by more than the last is as the one that is off the most.
 constexpr std::array<double, 12> displaced = {0.015, 0.02, 0.03, 0.045, 0.07, 0.12, 0.2, 0.3, 0.45, 0.7, 1.0, 1.5};
-constexpr double well_known = 0.2;      ///< [m] what may be off by more explains nothing that is lost
-constexpr double absent_for = 1.25;     ///< [s] without a return where there would be one
-constexpr double rests_for = 0.3;       ///< [s] between two looks that show the same place
-constexpr double one_thing = 0.03;      ///< [m] from one part to the next, at least
-constexpr double kept_every = 0.05;     ///< of its time
-constexpr double own_size = 0.01;       ///< [m] by which a return may lie beside the place of its cell
-constexpr double well_placed = 0.02;    ///< [m] odometry that drifted by no more has a place where it is
+constexpr double well_known = 0.2;    ///< [m] what may be off by more explains nothing that is lost, nor grows younger
+constexpr double absent_for = 1.25;   ///< [s] without a return where there would be one
+constexpr double rests_for = 0.3;     ///< [s] between two looks that show the same place
+constexpr double grown_old = 0.5;     ///< of its time
+constexpr double own_size = 0.01;     ///< [m] by which a return may lie beside the place of its cell
+constexpr double well_placed = 0.02;  ///< [m] odometry that drifted by no more has a place where it is
 constexpr double most_foretold = 0.05;  ///< [m] what lies farther aside is not looked for
 
 std::uint64_t key_of(const Point2& place, double height) { return key_of_cell(place, cell, height, layer); }
@@ -48,7 +47,6 @@ void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& r
   for (const NearReturn& seen : all)
     keep(seen, now, by_look.at(seen.range), extents ? extents->around(seen) : Heights{seen.height, seen.height});
   drop_what_has_gone(look, seen_at, robot, now, by_look);
-  keep_the_rest_of_what_is_shown(robot, now);
 }
 
 void OutOfSight::note_unplaced(std::size_t sensor, double now) {
@@ -60,50 +58,6 @@ void OutOfSight::drop_what_is_over(double now) {
   looks_.forget_before(now - limits_.time);
   for (auto it = places_.begin(); it != places_.end();)
     it = shown_by(it->second, now) ? std::next(it) : places_.erase(it);
-}
-
-/// The front of a pallet, as long as its back is shown: both are one thing, and that is seen. Seldom, so that it costs
-/// little.
-void OutOfSight::keep_the_rest_of_what_is_shown(const Whereabouts& robot, double now) {
-  if (now - rest_kept_ < kept_every * limits_.time) return;
-  rest_kept_ = now;
-  const auto cell_of = [](const Point2& place) { return key_of_cell(place, one_thing, 0.0, one_thing); };
-  const auto grows_old = [&](const Place& place) {
-    const LooksTaken::Taken* look = looks_.find(place.look);
-    return look && now - look->at > 0.5 * limits_.time;
-  };
-  if (std::none_of(places_.begin(), places_.end(), [&](const auto& entry) { return grows_old(entry.second); })) return;
-  std::unordered_map<std::uint64_t, std::vector<Place*>> unreached;
-  std::vector<Point2> reached;
-  for (auto& [key, place] : places_) {
-    if (looks_.is_latest_of_its_sensor(place.look)) {
-      reached.push_back({place.x, place.y});
-    } else {
-      unreached[cell_of({place.x, place.y})].push_back(&place);
-    }
-  }
-  const SeenAfter seen_after(robot.pose);
-  WaySince way_since(looks_, robot);
-  const auto keep = [&](Place& place) {
-    const auto earlier = looks_.before_latest_of_its_sensor(place.look);
-    if (!earlier || !grows_old(place)) return;
-    place.off += way_since.off(place.look, length_of(seen_after({place.x, place.y})));
-    place.look = *earlier;  // not the latest, which does not show it
-  };
-  while (!reached.empty()) {
-    const Point2 from = reached.back();
-    reached.pop_back();
-    for (const double ahead : {-1.0, 0.0, 1.0}) {
-      for (const double left : {-1.0, 0.0, 1.0}) {
-        const auto beside = unreached.find(cell_of(from + one_thing * Point2{ahead, left}));
-        if (beside == unreached.end()) continue;
-        const std::vector<Place*> places = std::move(beside->second);
-        unreached.erase(beside);
-        for (Place* place : places) keep(*place);
-        reached.push_back({places.front()->x, places.front()->y});
-      }
-    }
-  }
 }
 
 /// For all that one look may show: of too many, the farthest are forgotten.
@@ -204,9 +158,26 @@ void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, con
       place.look = looks_.latest();
       place.last_seen = now;
     }
+    const bool may_be_kept = place.off + by_way + drifted <= well_known && grows_old(place, now);
+    if (may_be_kept && seen == AtPlace::NotThere && seen_at.goes_on_in_picture(there))
+      keep_with_what_is_shown(place, by_way + drifted);
     const bool is_measured = there.getVector3fMap().norm() >= static_cast<float>(look.measures_from + beside);
     it = has_gone(place, seen, is_measured, now) ? places_.erase(it) : std::next(it);
   }
+}
+
+/// And the latest look is of the sensor that showed it.
+bool OutOfSight::grows_old(const Place& place, double now) const {
+  const LooksTaken::Taken& look = *looks_.find(place.look);
+  return now - look.at > grown_old * limits_.time && look.sensor == looks_.find(looks_.latest())->sensor;
+}
+
+/// The front of a pallet, as long as its back is shown. As of the look before, since the latest does not show it.
+void OutOfSight::keep_with_what_is_shown(Place& place, double off) {
+  const auto before = looks_.placed_before_latest_of(looks_.find(place.look)->sensor);
+  if (!before || *before <= place.look) return;
+  place.off += off;
+  place.look = *before;
 }
 
 /// What is shown has its place anew, from this look. What a sensor could measure and does not is kept for a while: some

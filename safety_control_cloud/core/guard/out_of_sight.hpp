@@ -29,8 +29,8 @@ struct OutOfSightLimits {
 
 /// What came near the robot and no sensor shows any more: beside it, behind it, in its blind zone. Kept as places in a
 /// frame that rests, in which somebody says where the robot is, each until a sensor sees what is behind it, or has seen
-/// nothing there for a while where it could, or until its time is over and none of what it hangs together with is shown
-/// any more. A place counts once two looks have shown it, or one beside it.
+/// nothing there for a while where it could, or until its time is over and the picture shows none of what it may be the
+/// end of. A place counts once two looks have shown it, or one beside it.
 class OutOfSight {
  public:
   explicit OutOfSight(OutOfSightLimits limits) : limits_(std::move(limits)) {}
@@ -106,7 +106,6 @@ class OutOfSight {
 
   const LooksTaken::Taken* shown_by(const Place& place, double now) const;
   void drop_what_is_over(double now);
-  void keep_the_rest_of_what_is_shown(const Whereabouts& robot, double now);
   void make_room(const Point2& robot);
   bool counts(const Place& place, double now) const;
   template <class Visit>
@@ -116,12 +115,13 @@ class OutOfSight {
   std::uint8_t looks_beside(const Point2& place, double height) const;
   void drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Whereabouts& robot, double now,
                           const Drift& by_look);
+  bool grows_old(const Place& place, double now) const;
+  void keep_with_what_is_shown(Place& place, double off);
   bool has_gone(Place& place, AtPlace seen, bool is_measured, double now) const;
 
   OutOfSightLimits limits_;
   std::unordered_map<std::uint64_t, Place> places_;  ///< by cell
   LooksTaken looks_;                                 ///< as long as a place of theirs may be kept
-  double rest_kept_ = 0.0;                           ///< [s] steady, last
 };
 
 }  // namespace safety_control_cloud

@@ -15,6 +15,7 @@ constexpr double turn = 2.0 * 3.14159265358979323846;  ///< [rad]
 constexpr double in_plane = 0.01;                      ///< [m] beside a scan's plane that it still meets
 constexpr int attempts = 3;                            ///< to find a pixel through a bent lens
 constexpr std::size_t border_steps = 2;                ///< of those that are looked at, see in_picture
+constexpr long deepest_border = 8;                     ///< of the picture's rows, that it leaves empty at most
 constexpr double close_enough = 1.5;                   ///< [px]
 
 /// Of several pixels around a direction, one after the other.
@@ -94,6 +95,40 @@ AtPlace SeenAt::shown_at(const Point& place) const {
   return length_of(seen) > vicinity_.distance ? AtPlace::ShownFar : AtPlace::Shown;
 }
 
+/// Through a lens that does not bend its rays.
+SeenAt::Pixel SeenAt::pixel_of(double x, double y) const {
+  const double across = (picture_->right - picture_->left) / static_cast<double>(pixels_.width());
+  const double down = (picture_->bottom - picture_->top) / static_cast<double>(pixels_.height());
+  return {(y - picture_->top) / down - 0.5, (x - picture_->left) / across - 0.5};
+}
+
+bool SeenAt::is_near(const Point& seen) const {
+  const Point placed = look_.outlook.placed(seen.x, seen.y, seen.z);
+  const Point2 place{placed.z, -placed.x};
+  return -placed.y >= vicinity_.bottom && -placed.y <= vicinity_.top && length_of(place) <= vicinity_.distance &&
+         !is_own(vicinity_.self, place.x, place.y, -placed.y);
+}
+
+/// Three columns beside each other: now and then, a stray return shows something in one. A camera may leave the border
+/// of its picture empty.
+bool SeenAt::goes_on_in_picture(const Point& place) const {
+  if (!picture_ || !(place.z > nearest)) return false;
+  const auto height = static_cast<long>(pixels_.height()), width = static_cast<long>(pixels_.width());
+  const auto [row, column] = pixel_of(double{place.x} / place.z, double{place.y} / place.z);
+  const auto border = static_cast<double>(border_steps * rows_apart(pixels_.height()));
+  const bool is_above = row < border, is_below = row >= static_cast<double>(height) - border;
+  if (is_above == is_below || !(column >= 1.0 && column < static_cast<double>(width) - 2.0)) return false;
+  const auto shows_something = [&](long c) {
+    for (long i = 0; i <= height / deepest_border; ++i) {
+      const Point seen = pixels_.near(is_above ? i : height - 1 - i, c);
+      if (returned(seen)) return is_near(seen);
+    }
+    return false;
+  };
+  const long c = std::lround(column);
+  return shows_something(c - 1) && shows_something(c) && shows_something(c + 1);
+}
+
 /// The pixel that looks there, corrected by the rays of those that returned: a lens may bend them. At the border of the
 /// picture what is shown there may as well be what follows upon it, of a thing that leaves the picture: so the end of a
 /// pallet would be taken to go back before the robot.
@@ -102,7 +137,7 @@ AtPlace SeenAt::in_picture(const Point& place, double off) const {
   const double x = double{place.x} / place.z, y = double{place.y} / place.z;
   const double across = (picture_->right - picture_->left) / static_cast<double>(pixels_.width());
   const double down = (picture_->bottom - picture_->top) / static_cast<double>(pixels_.height());
-  double column = (x - picture_->left) / across - 0.5, row = (y - picture_->top) / down - 0.5;
+  auto [row, column] = pixel_of(x, y);
   for (int i = 0; i < attempts; ++i) {
     const Point seen = pixels_.near(std::lround(row), std::lround(column));
     if (!returned(seen)) break;

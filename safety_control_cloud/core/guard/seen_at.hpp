@@ -32,7 +32,17 @@ class SeenAt {
   /// `aside` [rad] by which a scan may show it in another direction, since the robot turned while it was being taken.
   AtPlace operator()(const Point& place, double off = 0.0, double aside = 0.0) const;
 
+  /// Of a place above the picture or below it: whether that shows at its border, right there, what is in the vicinity,
+  /// of which the place may be the end. What returns nothing there tells nothing.
+  bool goes_on_in_picture(const Point& place) const;
+
  private:
+  struct Pixel {
+    double row, column;
+  };
+
+  Pixel pixel_of(double x, double y) const;
+  bool is_near(const Point& seen) const;
   AtPlace in_picture(const Point& place, double off) const;
   AtPlace in_scan(const Point& place, double off, double aside) const;
   AtPlace shown_at(const Point& place) const;
