@@ -10,7 +10,7 @@ from safety_control_cloud.processes import process
 
 COMMANDER = Path(__file__).with_name("commander.py")
 NOTICED = 0.2 + GRACE  # [s]
-ITS_END = 1.0 + AGAIN + GRACE  # [s] of silence until it counts as gone, and until the robot drives
+ITS_END = 1.0 + AGAIN  # [s] of silence until it counts as gone, and until the robot drives
 
 
 @contextmanager

@@ -33,7 +33,7 @@ SANITIZED = "SAFETY_CONTROL_NODE" in os.environ
 GRACE = 1.0 if SANITIZED else 0.25  # [s] for a busy machine, or a sanitizer that looks up a name
 ONE_CLOUD = 0.05 + GRACE  # [s] the camera's period
 SOURCE_TIMEOUT = 0.5 + GRACE  # [s]
-AGAIN = 1.0  # [s] of good data until the robot drives again
+AGAIN = 1.0 + GRACE  # [s] of good data until the robot drives again
 WATCH = 0.7  # [s] for which it is watched: more than source_timeout, after which silence would be said
 START = 20.0  # [s]
 
