@@ -3,6 +3,7 @@
 import pytest
 import rospy
 from robot import driving_robot
+from stalls import AskedOnceMore, Stalls
 
 from safety_control_cloud.ros_session import roscore
 
@@ -29,3 +30,4 @@ def request_parameters(request):
 
 def pytest_configure(config):
     config.addinivalue_line("markers", "with_parameters(name=value): private parameters of the node under test")
+    config.pluginmanager.register(AskedOnceMore(Stalls()), "asked_once_more")

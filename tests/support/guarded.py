@@ -121,10 +121,12 @@ class Guarded:
 
     def _comes_to(self, fits: Callable[[SafetyState], bool], within: float) -> SafetyState:
         since, asked = time.monotonic(), 0.0
-        while asked < within:
+        while True:
             states = after(since, self.states)
             if states and fits(states[-1][1]):
                 return states[-1][1]
+            if asked >= within:
+                break
             time.sleep(0.005)
             asked = time.monotonic() - since
             assert self.process.exit_code is None, self.process.output()
