@@ -33,9 +33,7 @@ std::vector<NearReturn> near_returns(const Look& look, const Vicinity& vicinity,
     for (std::size_t i = 0; i < row.z.size(); ++i) {
       const Point2 place{row.z[i], -row.x[i]};
       const float height = -row.y[i];
-      const bool is_near = height >= vicinity.bottom && height <= vicinity.top &&
-                           dot(place, place) <= vicinity.distance * vicinity.distance;  // of NaN, false
-      if (!is_near || is_own(vicinity.self, place.x, place.y, height)) continue;
+      if (!vicinity.holds(place, height)) continue;
       if (moved) {
         then = beyond(pose, shared(meanwhile, static_cast<double>(i) / static_cast<double>(row.z.size())));
         turn = Turn(then.heading);

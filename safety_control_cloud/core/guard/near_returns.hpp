@@ -25,6 +25,12 @@ struct Vicinity {
   double bottom = 0.0, top = 0.0;  ///< [m] heights, inclusive
   double distance = 0.0;           ///< [m] from base_frame's origin
   std::vector<OwnBox> self = {};   ///< of the robot itself
+
+  /// What returns there, in base_frame; of NaN, false.
+  bool holds(const Point2& place, double height) const {
+    return height >= bottom && height <= top && dot(place, place) <= distance * distance &&
+           !is_own(self, place.x, place.y, height);
+  }
 };
 
 /// Where something returned.

@@ -104,9 +104,7 @@ SeenAt::Pixel SeenAt::pixel_of(double x, double y) const {
 
 bool SeenAt::is_near(const Point& seen) const {
   const Point placed = look_.outlook.placed(seen.x, seen.y, seen.z);
-  const Point2 place{placed.z, -placed.x};
-  return -placed.y >= vicinity_.bottom && -placed.y <= vicinity_.top && length_of(place) <= vicinity_.distance &&
-         !is_own(vicinity_.self, place.x, place.y, -placed.y);
+  return vicinity_.holds({placed.z, -placed.x}, -placed.y);
 }
 
 /// Three columns beside each other: now and then, a stray return shows something in one. A camera may leave the border
