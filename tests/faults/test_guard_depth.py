@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import rospy
 from depth_camera import DepthCamera
-from guarded import CAMERA_TO_FRONT, guarded_robot, twist
+from guarded import CAMERA_TO_FRONT, guarded_robot, odometry_at_rest, twist
 from scenes import cloud_of, hall, points_of, post, wall
 
 AHEAD = twist(0.3)
@@ -111,6 +111,7 @@ def test_a_near_hole_ends_at_zero_and_recovers(robot):
 def test_before_a_wall_it_is_slowed_as_by_a_cloud(robot):
     robot.camera.show(hall(wall(0.4 + CAMERA_TO_FRONT)))
     robot.driver.say(twist(0.5, 0.2))
-    state = robot.slows()
+    with odometry_at_rest():
+        state = robot.slows()
     assert (state.cause_text, state.sensor) == ("SEEN", "depth")
     assert state.nearest_point.x == pytest.approx(0.4 + 0.178, abs=0.05)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import rospy
 from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
-from guarded import CAMERA_TO_FRONT, ZERO, Base, bits, guarded_robot, twist
+from guarded import CAMERA_TO_FRONT, ZERO, Base, bits, guarded_robot, odometry_at_rest, twist
 from laser import scan_of, with_post
 from repeated import Repeated
 from robot import START, node_under_test
@@ -97,7 +97,7 @@ def test_what_a_robot_turned_away_from_outlives_the_node(master):
 
 
 def test_the_nodelet_guards_as_the_node_does(master):
-    with guarded_robot(started=process(NODELET)) as robot:
+    with guarded_robot(started=process(NODELET)) as robot, odometry_at_rest():
         robot.driver.say(AHEAD)
         robot.passes(AHEAD)
         robot.driver.say(None)

@@ -68,13 +68,11 @@ class Guarded:
         self.gives(lambda state: state.cause_text == "SEEN" and state.factor == 1.0, lasts=0.2)
         self.driver.say(None)
 
-    def gives(
-        self, fits: Callable[[SafetyState], bool], within: float = SETTLED, lasts: float = 0.3, or_zero: bool = False
-    ) -> SafetyState:
+    def gives(self, fits: Callable[[SafetyState], bool], within: float = SETTLED, lasts: float = 0.3) -> SafetyState:
         """The robot comes to an answer that fits, and stays with such for a while, on ~state and on cmd_vel.
 
         A machine that is busy for a moment may make it stand meanwhile, or keep it silent: then it comes to that answer
-        again. `or_zero`: it need not stay with it, if it gives nothing in turn.
+        again.
         """
         end = time.monotonic() + within + GRACE
         while True:
@@ -87,7 +85,7 @@ class Guarded:
             later = [state for _, state in after(since, self.states)]
             others = [state for state in later if not fits(state)]
             assert all(bits(state.given) == ZERO for state in others), others[:1]
-            if said and later and (or_zero or not others):
+            if said and later and not others:
                 break
         # Where the node is late, another of its threads says zero.
         assert said - {ZERO} <= {bits(state.given) for state in later}, "cmd_vel says what ~state says"
@@ -97,9 +95,9 @@ class Guarded:
         return self.gives(lambda state: state.cause_text == cause and bits(state.given) == ZERO, within)
 
     def slows(self) -> SafetyState:
-        """Before a wall that it does not come nearer to, though it is told to drive: a picture that comes late counts as
-        one of a wall that is nearer by what was driven since, and the robot stands for a moment."""
-        return self.gives(lambda state: 0.1 < state.factor < 0.9, or_zero=True)
+        """Before a wall. That of a robot which does not obey comes nearer in all pictures that come late, by what it was
+        told to drive since: such a robot says that it rests (`odometry_at_rest`)."""
+        return self.gives(lambda state: 0.1 < state.factor < 0.9)
 
     def passes(self, command: Twist, within: float = SETTLED) -> SafetyState:
         command_bits = bits(command)
@@ -139,6 +137,24 @@ def camera_on(base: str, camera: str) -> TransformStamped:
     return TransformStamped(Header(0, rospy.Time.now(), base), camera, place)
 
 
+def odometry_of(x: float, speed: float) -> Odometry:
+    odometry = Odometry(header=Header(0, rospy.Time.now(), "odom"), child_frame_id="base_footprint")
+    odometry.pose.pose.position.x = x
+    odometry.pose.pose.orientation.w = 1.0
+    odometry.twist.twist.linear.x = speed
+    return odometry
+
+
+@contextmanager
+def odometry_at_rest(namespace: str = "") -> Iterator[None]:
+    odometry = Repeated(namespace + "/odom", Odometry, 50.0, lambda x: odometry_of(x, 0.0))
+    odometry.say(0.0)
+    try:
+        yield
+    finally:
+        odometry.end()
+
+
 class Base:
     """A base that obeys at once, on a line before a wall, and says where it is; its camera shows the wall."""
 
@@ -155,20 +171,13 @@ class Base:
             speed = self.robot.last_given().linear.x
             self.gap -= speed * (now - last)
             self.nearest, last = min(self.nearest, self.gap), now
-            self._say(speed)
+            self._odometry.publish(odometry_of(self.start - self.gap, speed))
             if now > shown + 0.045:
                 self.robot.camera.show(hall(wall(self.gap + CAMERA_TO_FRONT))[:1])
                 shown = now
 
     def end(self) -> None:
         self._odometry.unregister()
-
-    def _say(self, speed: float) -> None:
-        odometry = Odometry(header=Header(0, rospy.Time.now(), "odom"), child_frame_id="base_footprint")
-        odometry.pose.pose.position.x = self.start - self.gap
-        odometry.pose.pose.orientation.w = 1.0
-        odometry.twist.twist.linear.x = speed
-        self._odometry.publish(odometry)
 
 
 @contextmanager
