@@ -23,28 +23,25 @@ std::vector<Pose2> ways_between(const Whereabouts& then, const Whereabouts& now)
 
 }  // namespace
 
-void LooksTaken::take_placed(std::size_t sensor, const Whereabouts& robot, double now, std::optional<double> stamp) {
-  drift_ = drift_until(robot);
-  robot_ = robot;
+Drift LooksTaken::take_placed(std::size_t sensor, const Whereabouts& robot, double now, std::optional<double> stamp) {
   add(sensor, robot, now, stamp);
-}
-
-Drift LooksTaken::drift_until(const Whereabouts& robot) const {
-  if (!robot_) return drift_;
-  const Drift since = drift_between(*robot_, robot);
-  return {drift_.place + since.place, drift_.heading + since.heading};
+  if (stamp && stamp_ && *stamp < *stamp_) return {};
+  const Drift since = drift_from_latest_to(robot);
+  robot_ = robot;
+  stamp_ = stamp;
+  return since;
 }
 
 void LooksTaken::add(std::size_t sensor, const Whereabouts& robot, double now, std::optional<double> stamp) {
   latest_of_[sensor] = ++latest_;
-  taken_.push_back({sensor, now, robot, drift_, stamp});
+  taken_.push_back({sensor, now, robot, stamp});
 }
 
-/// What the way until now may be off by is for those to keep who know a place. Where the robot was at each look is not
-/// known any more.
+/// Where the robot was at each look is not known any more.
 void LooksTaken::go_on_in_frame(const Whereabouts& there) {
   robot_ = there;
-  for (Taken& look : taken_) look = {look.sensor, look.at, {there.pose, there.or_else}, drift_};
+  stamp_.reset();
+  for (Taken& look : taken_) look = {look.sensor, look.at, {there.pose, there.or_else}};
 }
 
 void LooksTaken::forget_before(double moment) {
@@ -68,7 +65,7 @@ std::optional<std::uint64_t> LooksTaken::placed_before_latest_of(std::size_t sen
 }
 
 WaySince::WaySince(const LooksTaken& looks, const Whereabouts& robot)
-    : looks_(looks), robot_(robot), drift_(looks.drift_until(robot)), ways_(robot.or_else.empty() ? 0 : looks.size()) {}
+    : looks_(looks), robot_(robot), ways_(robot.or_else.empty() ? 0 : looks.size()) {}
 
 const std::vector<Pose2>& WaySince::or_else(std::uint64_t look) {
   static const std::vector<Pose2> none;
@@ -83,11 +80,6 @@ double WaySince::beside(std::uint64_t look, double range) {
   double most = 0.0;
   for (const Pose2& way : or_else(look)) most = std::max(most, displacement(way, range));
   return most;
-}
-
-double WaySince::off(std::uint64_t look, double range) {
-  const Drift& then = looks_.find(look)->drift;
-  return Drift{drift_.place - then.place, drift_.heading - then.heading}.at(range) + beside(look, range);
 }
 
 }  // namespace safety_control_cloud

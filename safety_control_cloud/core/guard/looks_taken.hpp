@@ -20,7 +20,6 @@ class LooksTaken {
     std::size_t sensor;
     double at;                         ///< [s] steady
     Whereabouts robot;                 ///< in a frame that rests
-    Drift drift;                       ///< of all the way until then
     std::optional<double> stamp = {};  ///< [s] ROS, at which the robot was just there; none: it is there by now
   };
 
@@ -28,7 +27,8 @@ class LooksTaken {
   void take(std::size_t sensor, double now) { add(sensor, Whereabouts{}, now, {}); }
 
   /// It looks, the robot being there. `stamp` [s] ROS; none: it is no look of this process.
-  void take_placed(std::size_t sensor, const Whereabouts& robot, double now, std::optional<double> stamp = {});
+  /// By how much the way there may be off, since the latest that was placed; nothing, if that has a later stamp.
+  Drift take_placed(std::size_t sensor, const Whereabouts& robot, double now, std::optional<double> stamp = {});
 
   /// From now on another frame rests, in which the robot is `there`.
   void go_on_in_frame(const Whereabouts& there);
@@ -45,8 +45,10 @@ class LooksTaken {
   /// None: it is forgotten.
   const Taken* find(std::uint64_t look) const;
 
-  /// Of all the way until the robot is there.
-  Drift drift_until(const Whereabouts& robot) const;
+  /// Of the way between there and where the robot was at the latest that was placed.
+  Drift drift_from_latest_to(const Whereabouts& robot) const {
+    return robot_ ? drift_between(*robot_, robot) : Drift{};
+  }
 
   /// Whether no later look of the same sensor has been taken.
   bool is_latest_of_its_sensor(std::uint64_t look) const;
@@ -60,11 +62,11 @@ class LooksTaken {
   std::deque<Taken> taken_;  ///< the latest of them
   std::uint64_t latest_ = 0;
   std::map<std::size_t, std::uint64_t> latest_of_;  ///< of each sensor
-  std::optional<Whereabouts> robot_;                ///< at the latest that was placed
-  Drift drift_;                                     ///< of the way until there
+  std::optional<Whereabouts> robot_;                ///< at the latest that was placed, by its stamp
+  std::optional<double> stamp_;                     ///< [s] ROS, of that
 };
 
-/// How far the way from each look to where the robot is now may be off. Borrows both.
+/// Where the robot may be instead, on the way from each look to where it is now. Borrows both.
 class WaySince {
  public:
   WaySince(const LooksTaken& looks, const Whereabouts& robot);
@@ -75,13 +77,9 @@ class WaySince {
   /// [m] that a place at this range lies elsewhere by these, at most.
   double beside(std::uint64_t look, double range);
 
-  /// The same with what the way may have drifted; the look is not forgotten.
-  double off(std::uint64_t look, double range);
-
  private:
   const LooksTaken& looks_;
   const Whereabouts& robot_;
-  const Drift drift_;  ///< of the way until now
   std::vector<std::optional<std::vector<Pose2>>> ways_;
 };
 

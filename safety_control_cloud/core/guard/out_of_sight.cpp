@@ -8,6 +8,8 @@
 
 #include "cell_key.hpp"
 #include "extents.hpp"
+#include "forgetting.hpp"
+#include "seen_at.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -16,16 +18,10 @@ constexpr double cell = 0.015, layer = 0.1;   ///< [m] across and up
 constexpr std::size_t most = 30000;           ///< places
 constexpr std::size_t most_of_a_look = 8560;  ///< of these: of a scan with more beams, the last are not kept
 constexpr double kept_share = 0.75;           ///< of them where there are too many
-constexpr std::uint8_t believed = 2;          ///< looks that show a place, or what is behind it
 /// [m] Places are told apart by these; what may be off by more than the last is as the one that is off the most.
 constexpr std::array<double, 12> displaced = {0.015, 0.02, 0.03, 0.045, 0.07, 0.12, 0.2, 0.3, 0.45, 0.7, 1.0, 1.5};
-constexpr double well_known = 0.2;    ///< [m] what may be off by more explains nothing that is lost, nor grows younger
-constexpr double absent_for = 1.25;   ///< [s] without a return where there would be one
-constexpr double rests_for = 0.3;     ///< [s] between two looks that show the same place
-constexpr double grown_old = 0.5;     ///< of its time
-constexpr double own_size = 0.01;     ///< [m] by which a return may lie beside the place of its cell
-constexpr double well_placed = 0.02;  ///< [m] odometry that drifted by no more has a place where it is
-constexpr double most_foretold = 0.05;  ///< [m] what lies farther aside is not looked for
+constexpr double rests_for = 0.3;  ///< [s] between two looks that show the same place
+constexpr double own_size = 0.01;  ///< [m] by which a return may lie beside the place of its cell
 
 std::uint64_t key_of(const Point2& place, double height) { return key_of_cell(place, cell, height, layer); }
 
@@ -33,20 +29,29 @@ std::uint64_t key_of(const Point2& place, double height) { return key_of_cell(pl
 
 void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now,
                       const Pose2& meanwhile) {
-  looks_.take_placed(sensor, robot, now, look.stamp);
+  drift(looks_.take_placed(sensor, robot, now, look.stamp), robot.pose.place);
   drop_what_is_over(now);
   if (!remembers()) return places_.clear();
   const SeenAt seen_at(look, limits_.vicinity);
   if (!seen_at.can_tell()) return;
   make_room(robot.pose.place);
   const std::vector<NearReturn> all = near_returns(look, limits_.vicinity, robot.pose, meanwhile);
-  const Drift by_look{length_of(meanwhile.place) + robot.foretold.place,
-                      std::abs(meanwhile.heading) + robot.foretold.heading};
+  const Drift until_latest = looks_.drift_from_latest_to(robot);
+  const Drift by_look{length_of(meanwhile.place) + robot.foretold.place + until_latest.place,
+                      std::abs(meanwhile.heading) + robot.foretold.heading + until_latest.heading};
   std::optional<Extents> extents;
   if (!robot.or_else.empty()) extents.emplace(all);  // by odometry every place counts, however high
   for (const NearReturn& seen : all)
     keep(seen, now, by_look.at(seen.range), extents ? extents->around(seen) : Heights{seen.height, seen.height});
-  drop_what_has_gone(look, seen_at, robot, now, by_look);
+  Forgetting forgetting(look, seen_at, looks_, robot, by_look, now, limits_.time);
+  for (auto it = places_.begin(); it != places_.end();)
+    it = forgetting.has_gone(it->second) ? places_.erase(it) : std::next(it);
+}
+
+/// A turn moves a place by as much as it was away just then.
+void OutOfSight::drift(const Drift& way, const Point2& robot) {
+  if (way.place == 0.0 && way.heading == 0.0) return;
+  for (auto& [key, place] : places_) place.drifted += way.at(length_of(Point2{place.x, place.y} - robot));
 }
 
 void OutOfSight::note_unplaced(std::size_t sensor, double now) {
@@ -112,88 +117,6 @@ std::uint8_t OutOfSight::looks_of(const Place& before) const {
   return static_cast<std::uint8_t>(std::min<int>(looks, believed));
 }
 
-/// `by_look`: by how far the robot may have been elsewhere as the look was taken.
-/// Where nobody knows quite where the robot is, or was, only what would be shown wherever that is: `beside` tells how
-/// far off in depth, and places to both sides are asked about too. A scan is told by how much it lies `aside`. Of who
-/// has no odometry, or had none as that was seen, the ways that it may have gone tell.
-void OutOfSight::drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Whereabouts& robot, double now,
-                                    const Drift& by_look) {
-  const SeenAfter seen_after(robot.pose);
-  WaySince way_since(looks_, robot);
-  const bool is_scan = std::holds_alternative<ScanView>(look.reading);
-  const auto from_camera = [&](const Point2& here, float height) {
-    return look.outlook.seen_from_camera(in_corridor_axes(here, height));
-  };
-  for (auto it = places_.begin(); it != places_.end();) {
-    Place& place = it->second;
-    if (place.look == looks_.latest()) {
-      ++it;
-      continue;
-    }
-    const Point2 here = seen_after({place.x, place.y});
-    const double range = length_of(here);
-    if (robot.foretold.at(range) > most_foretold) {
-      ++it;
-      continue;
-    }
-    const double by_way = way_since.beside(place.look, range), off_by_look = by_look.at(range);
-    const double drifted = way_since.off(place.look, range) - by_way;
-    const double by_drift = robot.or_else.empty() && drifted > well_placed ? drifted : 0.0;
-    const double beside = place.off + by_way + off_by_look + by_drift;
-    const double sideways = by_drift + (is_scan ? 0.0 : off_by_look);
-    const Point there = from_camera(here, place.z);
-    const double aside = by_look.heading + by_look.place / std::max(range, own_size);
-    AtPlace seen = seen_at(there, beside, aside);
-    const auto ask_also_at = [&](const Point2& at) {
-      if (seen != AtPlace::NotThere) seen = std::min(seen, seen_at(from_camera(at, place.z), beside, aside));
-    };
-    for (const Pose2& way : way_since.or_else(place.look)) ask_also_at(SeenAfter(way)(here));
-    if (sideways > 0.0) {
-      const Point2 left = (sideways / std::max(range, own_size)) * Point2{-here.y, here.x};
-      ask_also_at(here + left);
-      ask_also_at(here - left);
-    }
-    if (seen == AtPlace::ShownFar) {
-      place.off += by_way + drifted;  // it is where it was taken to be, or within that
-      place.look = looks_.latest();
-      place.last_seen = now;
-    }
-    const bool may_be_kept = place.off + by_way + drifted <= well_known && grows_old(place, now);
-    if (may_be_kept && seen == AtPlace::NotThere && seen_at.goes_on_in_picture(there))
-      keep_with_what_is_shown(place, by_way + drifted);
-    const bool is_measured = there.getVector3fMap().norm() >= static_cast<float>(look.measures_from + beside);
-    it = has_gone(place, seen, is_measured, now) ? places_.erase(it) : std::next(it);
-  }
-}
-
-/// And the latest look is of the sensor that showed it.
-bool OutOfSight::grows_old(const Place& place, double now) const {
-  const LooksTaken::Taken& look = *looks_.find(place.look);
-  return now - look.at > grown_old * limits_.time && look.sensor == looks_.find(looks_.latest())->sensor;
-}
-
-/// The front of a pallet, as long as its back is shown. As of the look before, since the latest does not show it.
-void OutOfSight::keep_with_what_is_shown(Place& place, double off) {
-  const auto before = looks_.placed_before_latest_of(looks_.find(place.look)->sensor);
-  if (!before || *before <= place.look) return;
-  place.off += off;
-  place.look = *before;
-}
-
-/// What is shown has its place anew, from this look. What a sensor could measure and does not is kept for a while: some
-/// things return from one side only.
-bool OutOfSight::has_gone(Place& place, AtPlace seen, bool is_measured, double now) const {
-  const bool tells_nothing = seen == AtPlace::NotThere || (seen == AtPlace::Nothing && !is_measured);
-  if (tells_nothing || seen == AtPlace::ShownFar) {
-    place.absent_since.reset();
-    return false;
-  }
-  if (seen == AtPlace::Shown) return true;
-  if (seen == AtPlace::Behind) ++place.away;
-  if (!place.absent_since) place.absent_since = now;
-  return place.away >= believed || now - *place.absent_since >= absent_for;
-}
-
 bool OutOfSight::counts(const Place& place, double now) const {
   return place.looks >= believed && shown_by(place, now);
 }
@@ -206,11 +129,13 @@ template <class Visit>
 void OutOfSight::for_each(const Whereabouts& robot, double now, Visit visit) const {
   const SeenAfter seen_after(robot.pose);
   WaySince way_since(looks_, robot);
+  const Drift latest = looks_.drift_from_latest_to(robot);
+  const Drift since{latest.place + robot.foretold.place, latest.heading + robot.foretold.heading};
   for (const auto& [key, place] : places_) {
     if (!counts(place, now)) continue;
     const Point2 here = seen_after({place.x, place.y});
     const double range = length_of(here);
-    const double off = own_size + place.off + way_since.off(place.look, range) + robot.foretold.at(range);
+    const double off = own_size + place.off + place.drifted + way_since.beside(place.look, range) + since.at(range);
     visit(place, Here{here, range, off, *looks_.find(place.look)});
   }
 }
@@ -227,6 +152,7 @@ void OutOfSight::go_on_in_frame(const Whereabouts& robot, const Whereabouts& the
     moved.x = at.x, moved.y = at.y;
     moved.off = then ? place.off + drift_between(*then, there).at(here.range) + then->foretold.at(here.range)
                      : here.off - own_size;
+    moved.drifted = 0.0;
     places.emplace(key_of(at, place.z), moved);
   });
   places_ = std::move(places);
@@ -243,13 +169,13 @@ std::vector<KeptPlace> OutOfSight::placed(const Whereabouts& robot, double now) 
 
 void OutOfSight::recall(const std::vector<KeptPlace>& places, std::size_t sensor, const Whereabouts& there,
                         double now) {
-  looks_.take_placed(sensor, there, now);
+  drift(looks_.take_placed(sensor, there, now), there.pose.place);
   const Turn turn(there.pose.heading);
   for (const KeptPlace& one : places) {
     const Point2 at = there.pose.place + turn(one.place);
     const auto height = static_cast<float>(one.height);
     places_.emplace(key_of(at, height),
-                    Place{at.x, at.y, height, {height, height}, looks_.latest(), now, now, one.off, believed});
+                    Place{at.x, at.y, height, {height, height}, looks_.latest(), now, now, one.off, 0.0, believed});
   }
 }
 

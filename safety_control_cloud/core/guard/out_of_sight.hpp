@@ -14,7 +14,7 @@
 #include "looks_taken.hpp"
 #include "near_returns.hpp"
 #include "pose.hpp"
-#include "seen_at.hpp"
+#include "remembered_place.hpp"
 #include "surroundings.hpp"
 #include "whereabouts.hpp"
 
@@ -86,16 +86,7 @@ class OutOfSight {
               std::optional<std::size_t> of = std::nullopt, const AsksFor& asks = nullptr) const;
 
  private:
-  struct Place {
-    double x, y;                   ///< [m] in the resting frame, which may begin far away
-    float z;                       ///< [m] above base_frame
-    Heights stands;                ///< what it is a part of
-    std::uint64_t look;            ///< the latest that showed it
-    double first_seen, last_seen;  ///< [s] steady
-    double off = 0.0;  ///< [m] by which it may have been displaced as it was seen, or before this frame rested
-    std::uint8_t looks = 1, away = 0;
-    std::optional<double> absent_since = std::nullopt;  ///< [s] steady
-  };
+  using Place = RememberedPlace;
 
   /// A place as it lies around the robot now, and by how much it may have been displaced meanwhile.
   struct Here {
@@ -106,6 +97,7 @@ class OutOfSight {
 
   const LooksTaken::Taken* shown_by(const Place& place, double now) const;
   void drop_what_is_over(double now);
+  void drift(const Drift& way, const Point2& robot);
   void make_room(const Point2& robot);
   bool counts(const Place& place, double now) const;
   template <class Visit>
@@ -113,11 +105,6 @@ class OutOfSight {
   void keep(const NearReturn& seen, double now, double off, const Heights& stands);
   std::uint8_t looks_of(const Place& before) const;
   std::uint8_t looks_beside(const Point2& place, double height) const;
-  void drop_what_has_gone(const Look& look, const SeenAt& seen_at, const Whereabouts& robot, double now,
-                          const Drift& by_look);
-  bool grows_old(const Place& place, double now) const;
-  void keep_with_what_is_shown(Place& place, double off);
-  bool has_gone(Place& place, AtPlace seen, bool is_measured, double now) const;
 
   OutOfSightLimits limits_;
   std::unordered_map<std::uint64_t, Place> places_;  ///< by cell

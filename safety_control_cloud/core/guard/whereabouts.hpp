@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -25,11 +24,11 @@ struct Whereabouts {
   Drift foretold = {};              ///< by how much it may be elsewhere, since nobody has told of that moment yet
 };
 
-/// Of the way from one to the other.
+/// Of the way between them.
 inline Drift drift_between(const Whereabouts& a, const Whereabouts& b) {
   const Pose2 way = between(a.pose, b.pose);
-  return {b.drift * length_of(way.place) + std::max(0.0, b.unexplained.place - a.unexplained.place),
-          b.drift * std::abs(way.heading) + std::max(0.0, b.unexplained.heading - a.unexplained.heading)};
+  return {b.drift * length_of(way.place) + std::abs(b.unexplained.place - a.unexplained.place),
+          b.drift * std::abs(way.heading) + std::abs(b.unexplained.heading - a.unexplained.heading)};
 }
 
 }  // namespace safety_control_cloud

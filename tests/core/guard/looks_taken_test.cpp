@@ -28,14 +28,20 @@ TEST(LooksTaken, EachIsFoundByItsNumberUntilItIsForgotten) {
   EXPECT_EQ(looks.find(4), nullptr) << "not taken yet";
 }
 
-TEST(WaySince, DriftsWithTheWayThatWasGoneSinceTheLook) {
+TEST(LooksTaken, EachTellsByHowMuchTheWaySinceTheOneBeforeMayBeOff) {
   LooksTaken looks;
-  looks.take_placed(front, at(0.0), 10.0);
-  looks.take_placed(front, at(3.0), 11.0);
-  const Whereabouts now = at(4.0, 0.5);
-  WaySince way(looks, now);
-  EXPECT_NEAR(way.off(1, 2.0), 0.1 * 4.0 + 0.1 * 0.5 * 2.0, 1e-12);
-  EXPECT_NEAR(way.off(2, 2.0), 0.1 * 1.0 + 0.1 * 0.5 * 2.0, 1e-12);
+  EXPECT_EQ(looks.take_placed(front, at(0.0), 10.0, 70.0).at(2.0), 0.0);
+  EXPECT_NEAR(looks.take_placed(front, at(3.0, 0.5), 11.0, 71.0).at(2.0), 0.1 * 3.0 + 0.1 * 0.5 * 2.0, 1e-12);
+  EXPECT_NEAR(looks.drift_from_latest_to(at(4.0, 0.5)).at(2.0), 0.1 * 1.0, 1e-12);
+}
+
+/// Two cameras of which one is later than the other would count each step of the way again and again.
+TEST(LooksTaken, OneOfAnEarlierStampGoesNoWay) {
+  LooksTaken looks;
+  looks.take_placed(front, at(3.0), 11.0, 71.0);
+  EXPECT_EQ(looks.take_placed(rear, at(2.0), 11.1, 70.5).at(1.0), 0.0);
+  EXPECT_NEAR(looks.drift_from_latest_to(at(2.0)).at(1.0), 0.1 * 1.0, 1e-12) << "for what that one shows";
+  EXPECT_NEAR(looks.take_placed(front, at(3.5), 11.2, 71.2).at(1.0), 0.1 * 0.5, 1e-12);
 }
 
 TEST(WaySince, NamesWhereTheRobotMayBeInstead) {
@@ -49,16 +55,17 @@ TEST(WaySince, NamesWhereTheRobotMayBeInstead) {
   EXPECT_TRUE(way.or_else(2).empty()) << "not taken yet";
 }
 
-TEST(WaySince, InAnotherFrameTheWayBeginsAnew) {
+TEST(LooksTaken, InAnotherFrameTheWayBeginsAnew) {
   LooksTaken looks;
   looks.take_placed(front, {{{0.0, 0.0}, 0.0}, {{{-0.2, 0.0}, 0.0}}, 0.1}, 10.0);
   looks.take_placed(front, {{{1.0, 0.0}, 0.0}, {{{0.5, 0.0}, 0.0}}, 0.1}, 11.0, 71.0);
   EXPECT_EQ(looks.find(2)->stamp, 71.0);
   looks.go_on_in_frame({{{30.0, 0.0}, 0.0}});
   EXPECT_FALSE(looks.find(2)->stamp) << "where the robot was then, in the new frame, nobody has told";
+  EXPECT_NEAR(looks.drift_from_latest_to(at(31.0)).at(1.0), 0.1, 1e-12);
   const Whereabouts now = at(31.0);
   WaySince way(looks, now);
-  for (const std::uint64_t look : {1, 2}) EXPECT_NEAR(way.off(look, 1.0), 0.1, 1e-12) << look;
+  for (const std::uint64_t look : {1, 2}) EXPECT_EQ(way.beside(look, 1.0), 0.0) << look;
 }
 
 }  // namespace

@@ -49,6 +49,31 @@ TEST(OutOfSight, OdometryThatDriftsLetsNothingBeForgotten) {
   EXPECT_LT(before, 0.5);
 }
 
+/// Which the robot comes near to only then: it lies beside where it is taken to be by as much as it did as he turned.
+TEST(OutOfSight, WhoTurnsFarFromAThingKnowsTheLessWhereItIs) {
+  const auto factor_of = [](bool turns_far_away) {
+    Settings settings = remembering();
+    settings.odometry_drift = 0.05;
+    RobotWithOdometry robot(settings);
+    robot.passes(0.5, Scene({post(1.3f, 0.0f)}));
+    robot.turns(quarter, robot.hall);
+    const auto turns_to_and_fro = [&](bool now) {
+      for (const double angle : {quarter, -quarter})
+        if (now) robot.turns(angle, robot.hall);
+    };
+    turns_to_and_fro(turns_far_away);
+    robot.twist = {0.0, -0.2, 0.0};
+    for (int i = 0; i < 70; ++i) {
+      robot.pose.place.x += 0.01;
+      robot.passes(0.05, robot.hall);
+    }
+    robot.twist = {};
+    turns_to_and_fro(!turns_far_away);
+    return robot.asked({0.0, -0.5, 0.0}).factor;
+  };
+  EXPECT_LT(factor_of(true), 0.9 * factor_of(false));
+}
+
 /// As in UTM coordinates.
 TEST(OutOfSight, OdometryThatBeginsFarAwayIsAsGood) {
   RobotWithOdometry robot;

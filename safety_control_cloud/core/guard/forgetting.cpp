@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "forgetting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr double absent_for = 1.25;     ///< [s] without a return where there would be one
+constexpr double grown_old = 0.5;       ///< of its time
+constexpr double least_range = 0.01;    ///< [m]
+constexpr double well_placed = 0.02;    ///< [m] odometry that drifted by no more has a place where it is
+constexpr double most_foretold = 0.05;  ///< [m] what lies farther aside is not looked for
+
+}  // namespace
+
+Forgetting::Forgetting(const Look& look, const SeenAt& seen_at, const LooksTaken& looks, const Whereabouts& robot,
+                       const Drift& by_look, double now, double time)
+    : look_(look),
+      seen_at_(seen_at),
+      looks_(looks),
+      robot_(robot),
+      by_look_(by_look),
+      now_(now),
+      time_(time),
+      seen_after_(robot.pose),
+      way_since_(looks, robot) {}
+
+bool Forgetting::has_gone(RememberedPlace& place) {
+  if (place.look == looks_.latest()) return false;
+  const Point2 here = seen_after_({place.x, place.y});
+  const double range = length_of(here);
+  if (robot_.foretold.at(range) > most_foretold) return false;
+  const double by_way = way_since_.beside(place.look, range), since = by_way + place.drifted;
+  const Point there = from_camera(here, place.z);
+  const AtPlace seen = seen_of(place, here, there, range, by_way);
+  if (seen == AtPlace::ShownFar) {
+    place.off += since;  // it is where it was taken to be, or within that
+    place.drifted = 0.0;
+    place.look = looks_.latest();
+    place.last_seen = now_;
+  }
+  const bool may_be_kept = place.off + since <= well_known && grows_old(place);
+  if (may_be_kept && seen == AtPlace::NotThere && seen_at_.goes_on_in_picture(there))
+    keep_with_what_is_shown(place, since);
+  const double measured_from = look_.measures_from + beside(place, range, by_way);
+  return is_proven(place, seen, there.getVector3fMap().norm() >= static_cast<float>(measured_from));
+}
+
+Point Forgetting::from_camera(const Point2& here, float height) const {
+  return look_.outlook.seen_from_camera(in_corridor_axes(here, height));
+}
+
+/// [m] Of who has no odometry, or had none as that was seen, the ways that it may have gone tell.
+double Forgetting::unknown_drift(const RememberedPlace& place) const {
+  return robot_.or_else.empty() && place.drifted > well_placed ? place.drifted : 0.0;
+}
+
+/// [m] by how far off in depth it may lie.
+double Forgetting::beside(const RememberedPlace& place, double range, double by_way) const {
+  return place.off + by_way + by_look_.at(range) + unknown_drift(place);
+}
+
+/// Where nobody knows quite where the robot is, or was, only what would be shown wherever that is: places to both sides
+/// are asked about too. A scan is told by how much it lies aside.
+AtPlace Forgetting::seen_of(const RememberedPlace& place, const Point2& here, const Point& there, double range,
+                            double by_way) {
+  const double off = beside(place, range, by_way), distance = std::max(range, least_range);
+  const double aside = by_look_.heading + by_look_.place / distance;
+  AtPlace seen = seen_at_(there, off, aside);
+  const auto ask_also_at = [&](const Point2& at) {
+    if (seen != AtPlace::NotThere) seen = std::min(seen, seen_at_(from_camera(at, place.z), off, aside));
+  };
+  for (const Pose2& way : way_since_.or_else(place.look)) ask_also_at(SeenAfter(way)(here));
+  const bool is_scan = std::holds_alternative<ScanView>(look_.reading);
+  const double sideways = unknown_drift(place) + (is_scan ? 0.0 : by_look_.at(range));
+  if (sideways > 0.0) {
+    const Point2 left = (sideways / distance) * Point2{-here.y, here.x};
+    ask_also_at(here + left);
+    ask_also_at(here - left);
+  }
+  return seen;
+}
+
+/// And the latest look is of the sensor that showed it.
+bool Forgetting::grows_old(const RememberedPlace& place) const {
+  const LooksTaken::Taken& look = *looks_.find(place.look);
+  return now_ - look.at > grown_old * time_ && look.sensor == looks_.find(looks_.latest())->sensor;
+}
+
+/// The front of a pallet, as long as its back is shown. As of the look before, since the latest does not show it.
+void Forgetting::keep_with_what_is_shown(RememberedPlace& place, double off) const {
+  const auto before = looks_.placed_before_latest_of(looks_.find(place.look)->sensor);
+  if (!before || *before <= place.look) return;
+  place.off += off;
+  place.drifted = 0.0;
+  place.look = *before;
+}
+
+/// What is shown has its place anew, from this look. What a sensor could measure and does not is kept for a while: some
+/// things return from one side only.
+bool Forgetting::is_proven(RememberedPlace& place, AtPlace seen, bool is_measured) const {
+  const bool tells_nothing = seen == AtPlace::NotThere || (seen == AtPlace::Nothing && !is_measured);
+  if (tells_nothing || seen == AtPlace::ShownFar) {
+    place.absent_since.reset();
+    return false;
+  }
+  if (seen == AtPlace::Shown) return true;
+  if (seen == AtPlace::Behind) ++place.away;
+  if (!place.absent_since) place.absent_since = now_;
+  return place.away >= believed || now_ - *place.absent_since >= absent_for;
+}
+
+}  // namespace safety_control_cloud

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "horizon.hpp"
+
+namespace safety_control_cloud {
+
+/// Where something returned that no sensor shows any more.
+struct RememberedPlace {
+  double x, y;                   ///< [m] in the resting frame, which may begin far away
+  float z;                       ///< [m] above base_frame
+  Heights stands;                ///< what it is a part of
+  std::uint64_t look;            ///< the latest that showed it
+  double first_seen, last_seen;  ///< [s] steady
+  double off = 0.0;      ///< [m] by which it may have been displaced as it was seen, or before this frame rested
+  double drifted = 0.0;  ///< [m] and by which the way since may be off, as seen from the robot
+  std::uint8_t looks = 1, away = 0;
+  std::optional<double> absent_since = std::nullopt;  ///< [s] steady
+};
+
+}  // namespace safety_control_cloud
