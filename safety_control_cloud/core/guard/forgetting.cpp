@@ -35,14 +35,14 @@ bool Forgetting::has_gone(RememberedPlace& place) {
   const double by_way = way_since_.beside(place.look, range), since = by_way + place.drifted;
   const Point there = from_camera(here, place.z);
   const AtPlace seen = seen_of(place, here, there, range, by_way);
-  if (seen == AtPlace::ShownFar) {
+  const bool is_known = place.off + since <= well_known;
+  if (is_known && seen == AtPlace::ShownFar) {
     place.off += since;  // it is where it was taken to be, or within that
     place.drifted = 0.0;
     place.look = looks_.latest();
     place.last_seen = now_;
   }
-  const bool may_be_kept = place.off + since <= well_known && grows_old(place);
-  if (may_be_kept && seen == AtPlace::NotThere && seen_at_.goes_on_in_picture(there))
+  if (is_known && seen == AtPlace::NotThere && grows_old(place) && seen_at_.goes_on_in_picture(there))
     keep_with_what_is_shown(place, since);
   const double measured_from = look_.measures_from + beside(place, range, by_way);
   return is_proven(place, seen, there.getVector3fMap().norm() >= static_cast<float>(measured_from));

@@ -49,6 +49,20 @@ TEST(OutOfSight, OdometryThatDriftsLetsNothingBeForgotten) {
   EXPECT_LT(before, 0.5);
 }
 
+/// Whatever returned around where it may be would show it: it would never be forgotten, and be anywhere by then.
+TEST(OutOfSight, AWallFarBehindAThingThatHasGoneKeepsNothingWhosePlaceNobodyKnows) {
+  for (const double drift : {0.02, 0.3}) {
+    Settings settings = remembering(1.0);
+    settings.odometry_drift = drift;
+    RobotWithOdometry robot(settings);
+    robot.passes(0.5, with_post);
+    for (const double angle : {quarter, -quarter}) robot.turns(angle, robot.hall);
+    robot.passes(40.0, Scene({wall_before(1.6f)}));
+    robot.turns(quarter, robot.hall);
+    EXPECT_EQ(robot.asked({0.0, -0.5, 0.0}).factor, 1.0) << drift << ": " << robot.wants({0.0, -0.5, 0.0}).reason;
+  }
+}
+
 /// Which the robot comes near to only then: it lies beside where it is taken to be by as much as it did as he turned.
 TEST(OutOfSight, WhoTurnsFarFromAThingKnowsTheLessWhereItIs) {
   const auto factor_of = [](bool turns_far_away) {
