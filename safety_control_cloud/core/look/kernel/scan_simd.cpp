@@ -11,7 +11,12 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "scan_simd.cpp"
 // Vectors are members of structs here, which those of unknown length cannot be; NEON serves such machines.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#define SAFETY_CONTROL_OF_UNKNOWN_LENGTH (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#ifdef SAFETY_CONTROL_FEW_TARGETS
+#define HWY_DISABLED_TARGETS (SAFETY_CONTROL_OF_UNKNOWN_LENGTH | HWY_SSSE3 | HWY_SSE4)
+#else
+#define HWY_DISABLED_TARGETS SAFETY_CONTROL_OF_UNKNOWN_LENGTH
+#endif
 // clang-format off
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
