@@ -50,8 +50,9 @@ void GuardMemory::forget() {
 std::string GuardMemory::remembered() const {
   if (recalled_) return to_text(*recalled_);
   if (!by_odometry_ || !latest_) return {};
-  const Pose2& pose = latest_->robot.pose;
-  return to_text({latest_->stamp, pose, out_of_sight_.placed({pose, {}, odometry_drift_}, latest_->at)});
+  const Whereabouts& robot = latest_->robot;
+  const Whereabouts there{robot.pose, {}, robot.drift, robot.unexplained};
+  return to_text({latest_->stamp, robot.pose, out_of_sight_.placed(there, latest_->at)});
 }
 
 bool GuardMemory::recall(const std::string& remembered) {
@@ -76,7 +77,7 @@ void GuardMemory::place_recalled(std::size_t sensor, double stamp, const Whereab
   Pose2 then = recalled_->robot;  // each process counts its own full turns
   then.heading = robot.pose.heading + std::remainder(then.heading - robot.pose.heading, full_turn);
   if (may_have_gone(between(then, robot.pose), stamp - recalled_->stamp)) {
-    out_of_sight_.recall(recalled_->all, sensor, {then, {}, odometry_drift_}, now.steady);
+    out_of_sight_.recall(recalled_->all, sensor, {then, {}, robot.drift, robot.unexplained}, now.steady);
   } else {
     jumped_ = looks_since(went, now);
   }

@@ -10,7 +10,6 @@ namespace {
 constexpr double absent_for = 1.25;     ///< [s] without a return where there would be one
 constexpr double grown_old = 0.5;       ///< of its time
 constexpr double least_range = 0.01;    ///< [m]
-constexpr double well_placed = 0.02;    ///< [m] odometry that drifted by no more has a place where it is
 constexpr double most_foretold = 0.05;  ///< [m] what lies farther aside is not looked for
 
 }  // namespace
@@ -63,7 +62,8 @@ double Forgetting::beside(const RememberedPlace& place, double range, double by_
 }
 
 /// Where nobody knows quite where the robot is, or was, only what would be shown wherever that is: places to both sides
-/// are asked about too. A scan is told by how much it lies aside.
+/// are asked about too, and nearer and farther ones, of which the picture may end before the one, or show the end of
+/// the thing at the place of its front. A scan is told by how much it lies aside.
 AtPlace Forgetting::seen_of(const RememberedPlace& place, const Point2& here, const Point& there, double range,
                             double by_way) {
   const double off = beside(place, range, by_way), distance = std::max(range, least_range);
@@ -74,7 +74,13 @@ AtPlace Forgetting::seen_of(const RememberedPlace& place, const Point2& here, co
   };
   for (const Pose2& way : way_since_.or_else(place.look)) ask_also_at(SeenAfter(way)(here));
   const bool is_scan = std::holds_alternative<ScanView>(look_.reading);
-  const double sideways = unknown_drift(place) + (is_scan ? 0.0 : by_look_.at(range));
+  const double drift = unknown_drift(place);
+  if (drift > 0.0) {
+    const Point2 away = (drift / distance) * here;
+    ask_also_at(here - away);
+    ask_also_at(here + away);
+  }
+  const double sideways = drift + (is_scan ? 0.0 : by_look_.at(range));
   if (sideways > 0.0) {
     const Point2 left = (sideways / distance) * Point2{-here.y, here.x};
     ask_also_at(here + left);

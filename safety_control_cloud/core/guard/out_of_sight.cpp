@@ -23,6 +23,9 @@ constexpr std::array<double, 12> displaced = {0.015, 0.02, 0.03, 0.045, 0.07, 0.
 constexpr double rests_for = 0.3;  ///< [s] between two looks that show the same place
 constexpr double own_size = 0.01;  ///< [m] by which a return may lie beside the place of its cell
 
+/// Of the key of a place that is shown once more, where what was there may be elsewhere: it goes as any other.
+constexpr std::uint64_t elsewhere = std::uint64_t{1} << 63U;
+
 std::uint64_t key_of(const Point2& place, double height) { return key_of_cell(place, cell, height, layer); }
 
 }  // namespace
@@ -89,9 +92,11 @@ void OutOfSight::keep(const NearReturn& seen, double now, double off, const Heig
   if (found == places_.end() && places_.size() >= most) return;
   Place kept{seen.place.x, seen.place.y, seen.height, stands, looks_.latest(), now, now, off};
   if (found != places_.end()) {
-    kept.first_seen = found->second.first_seen;
-    kept.looks = looks_of(found->second);
-    found->second = kept;
+    Place& before = found->second;
+    kept.first_seen = before.first_seen;
+    kept.looks = looks_of(before);
+    std::swap(before, kept);
+    if (kept.drifted > well_placed && places_.size() < most) places_.insert_or_assign(key | elsewhere, kept);
     return;
   }
   kept.looks = looks_beside(seen.place, seen.height);

@@ -120,6 +120,21 @@ TEST(KeptPlaces, TheRobotThatRolledOnMeanwhileKnowsThemWhereTheyAre) {
   EXPECT_NEAR(answer.point->x, -way.place.x, 0.14);
 }
 
+/// As a filter does that joins wheels and a camera.
+TEST(KeptPlaces, WhatOdometryHadCorrectedBeforeTheyWereSeenWidensNoneOfThem) {
+  RobotWithOdometry robot;
+  for (int i = 0; i < 30; ++i) {
+    robot.pose.place.x += i % 2 == 0 ? 0.04 : -0.04;
+    robot.passes(0.2, robot.hall);
+  }
+  robot.passes(0.5, with_post);
+  robot.turns(quarter, robot.hall);
+  const auto kept = kept_places_in(robot.control.remembered().back());
+  ASSERT_TRUE(kept);
+  ASSERT_FALSE(kept->all.empty());
+  for (const KeptPlace& one : kept->all) EXPECT_LT(one.off, 0.1);
+}
+
 TEST(KeptPlaces, UntilOdometrySpeaksNobodyKnowsWhereTheyAre) {
   Restarted restarted;
   restarted.next.has_odometry = false;

@@ -63,6 +63,24 @@ TEST(OutOfSight, AWallFarBehindAThingThatHasGoneKeepsNothingWhosePlaceNobodyKnow
   }
 }
 
+/// The front of a board, that may lie nearer by now and below the picture: what returns in its place may be the rest.
+TEST(OutOfSight, WhatReturnsFromAPlaceThatIsNotWellKnownIsNotAllOfIt) {
+  const auto factor_of = [](bool has_turned) {
+    Settings settings = remembering();
+    settings.odometry_drift = 0.1;
+    RobotWithOdometry robot(settings);
+    const Scene board({{0.59f, -0.05f, 0.05f, 0.17f, floor_y}});
+    robot.passes(0.5, board);
+    if (has_turned) {
+      for (const double angle : {quarter, -quarter}) robot.turns(angle, robot.hall);
+      robot.passes(0.5, board);
+    }
+    robot.turns(quarter, robot.hall);
+    return robot.asked({0.0, -0.3, 0.0}).factor;
+  };
+  EXPECT_LT(factor_of(true), 0.9 * factor_of(false));
+}
+
 /// Which the robot comes near to only then: it lies beside where it is taken to be by as much as it did as he turned.
 TEST(OutOfSight, WhoTurnsFarFromAThingKnowsTheLessWhereItIs) {
   const auto factor_of = [](bool turns_far_away) {
