@@ -18,6 +18,7 @@ constexpr int dense = 6;
 constexpr std::size_t none_share = 5;
 constexpr std::size_t enough_rays = 12;
 constexpr float as_near = 1.01f;
+constexpr double by_rounding = 0.01;  ///< [px]
 
 /// Of the 3 x 3 pixels around a spot.
 struct Around {
@@ -143,9 +144,11 @@ bool may_stand_between_rays(std::vector<Spot> spots, const std::vector<std::size
   });
 }
 
+/// A row that just does not, by the half pixels in which cameras tell their middle, does: a cloud tells that by its
+/// returns, but for rounding.
 bool leaves_at_the_top(const Spot& spot, const Pixels& picture) {
   const double middle = picture.framing().middle_row;
-  return (1.0 + growth) * (middle - spot.row) > middle;
+  return (1.0 + growth) * (middle - spot.row) > middle - by_rounding;
 }
 
 Evidence evidence_of(const Spot& spot, const Pixels& picture) {

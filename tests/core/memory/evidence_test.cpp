@@ -44,6 +44,22 @@ TEST(Evidence, ReturnsAtItsRangeOrBeforeItSayThatItMayBeThere) {
   EXPECT_EQ(said({0.4f, 0.2f, 0.2f, 2.0f, 2.0f}), Evidence::There);
 }
 
+/// A depth image tells its middle, a cloud shows it but for rounding; a fuzzer found a picture of which one drove on.
+TEST(Evidence, ARowAtTheVeryLimitLeavesThePictureHoweverItsMiddleIsRounded) {
+  const std::vector<Xyz> points(size * size, Xyz{0.0f, 0.0f, 2.0f});
+  CloudView view = view_of(points);
+  view.width = view.height = size;
+  view.row_step = size * sizeof(Xyz);
+  Spot at_limit, below;
+  at_limit.row = 4, below.row = 5;
+  for (const double middle : {20.0 - 1e-5, 20.0, 20.0 + 1e-5}) {
+    Pixels picture(view, 0.0f);
+    picture.frame({0, 0, 0, 0, middle, 20.0});
+    EXPECT_TRUE(leaves_at_the_top(at_limit, picture)) << middle;
+    EXPECT_FALSE(leaves_at_the_top(below, picture)) << middle;
+  }
+}
+
 /// A wall at 2 m, seen by a camera of so many pixels.
 struct Wall {
   std::size_t width, height;
