@@ -28,6 +28,12 @@ constexpr std::uint64_t elsewhere = std::uint64_t{1} << 63U;
 
 std::uint64_t key_of(const Point2& place, double height) { return key_of_cell(place, cell, height, layer); }
 
+/// Beside what has the same cell.
+void add_to(std::unordered_map<std::uint64_t, RememberedPlace>& places, const RememberedPlace& place) {
+  const std::uint64_t key = key_of({place.x, place.y}, place.z);
+  if (!places.emplace(key, place).second) places.emplace(key | elsewhere, place);
+}
+
 }  // namespace
 
 void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now,
@@ -92,15 +98,23 @@ void OutOfSight::keep(const NearReturn& seen, double now, double off, const Heig
   if (found == places_.end() && places_.size() >= most) return;
   Place kept{seen.place.x, seen.place.y, seen.height, stands, looks_.latest(), now, now, off};
   if (found != places_.end()) {
-    Place& before = found->second;
-    kept.first_seen = before.first_seen;
-    kept.looks = looks_of(before);
-    std::swap(before, kept);
-    if (kept.drifted > well_placed && places_.size() < most) places_.insert_or_assign(key | elsewhere, kept);
+    kept.first_seen = found->second.first_seen;
+    kept.looks = looks_of(found->second);
+    const Place before = std::exchange(found->second, kept);
+    if (before.drifted > well_placed && places_.size() < most) keep_elsewhere(key, before);
     return;
   }
   kept.looks = looks_beside(seen.place, seen.height);
   places_.emplace(key, kept);
+}
+
+/// Of two of them, the later one, which may be wherever the other may be.
+void OutOfSight::keep_elsewhere(std::uint64_t key, const Place& place) {
+  const auto [kept, is_first] = places_.try_emplace(key | elsewhere, place);
+  if (is_first) return;
+  const double off = kept->second.off + kept->second.drifted;
+  kept->second = place;
+  kept->second.drifted = std::max(place.drifted, off - place.off);
 }
 
 /// A thin thing before a noisy sensor is seen in another cell by each look.
@@ -158,7 +172,7 @@ void OutOfSight::go_on_in_frame(const Whereabouts& robot, const Whereabouts& the
     moved.off = then ? place.off + drift_between(*then, there).at(here.range) + then->foretold.at(here.range)
                      : here.off - own_size;
     moved.drifted = 0.0;
-    places.emplace(key_of(at, place.z), moved);
+    add_to(places, moved);
   });
   places_ = std::move(places);
   looks_.go_on_in_frame(there);
@@ -179,8 +193,7 @@ void OutOfSight::recall(const std::vector<KeptPlace>& places, std::size_t sensor
   for (const KeptPlace& one : places) {
     const Point2 at = there.pose.place + turn(one.place);
     const auto height = static_cast<float>(one.height);
-    places_.emplace(key_of(at, height),
-                    Place{at.x, at.y, height, {height, height}, looks_.latest(), now, now, one.off, 0.0, believed});
+    add_to(places_, {at.x, at.y, height, {height, height}, looks_.latest(), now, now, one.off, 0.0, believed});
   }
 }
 
