@@ -13,7 +13,7 @@ TESTED_AS = {
     "guard/directions": "guard_control_test and guarded_drives_test: what is open for a robot that is stuck",
     "guard/pose": "guard_test: what may have gone several ways",
     "guard/facing": "guard/guard_settings_test and guard_sensors_test: what asks it",
-    "guard/seen_at": "guard/out_of_sight_test: what asks it",
+    **dict.fromkeys(["guard/forgetting", "guard/seen_at"], "guard/out_of_sight_test: what asks them"),
     "guard_sensor": "guard_sensors_test: several of them",
     "guard_memory": "guard/out_of_sight_test and without_odometry_test: what a guard does by it",
     "sensor_settings": "guard/guard_settings_test and guard_sensors_test",
