@@ -101,20 +101,11 @@ void OutOfSight::keep(const NearReturn& seen, double now, double off, const Heig
     kept.first_seen = found->second.first_seen;
     kept.looks = looks_of(found->second);
     const Place before = std::exchange(found->second, kept);
-    if (before.drifted > well_placed && places_.size() < most) keep_elsewhere(key, before);
+    if (before.drifted > well_placed && places_.size() < most) places_.insert_or_assign(key | elsewhere, before);
     return;
   }
   kept.looks = looks_beside(seen.place, seen.height);
   places_.emplace(key, kept);
-}
-
-/// Of two of them, the later one, which may be wherever the other may be.
-void OutOfSight::keep_elsewhere(std::uint64_t key, const Place& place) {
-  const auto [kept, is_first] = places_.try_emplace(key | elsewhere, place);
-  if (is_first) return;
-  const double off = kept->second.off + kept->second.drifted;
-  kept->second = place;
-  kept->second.drifted = std::max(place.drifted, off - place.off);
 }
 
 /// A thin thing before a noisy sensor is seen in another cell by each look.

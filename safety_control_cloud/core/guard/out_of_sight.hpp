@@ -103,7 +103,6 @@ class OutOfSight {
   template <class Visit>
   void for_each(const Whereabouts& robot, double now, Visit visit) const;
   void keep(const NearReturn& seen, double now, double off, const Heights& stands);
-  void keep_elsewhere(std::uint64_t key, const Place& place);
   std::uint8_t looks_of(const Place& before) const;
   std::uint8_t looks_beside(const Point2& place, double height) const;
 
