@@ -12,6 +12,12 @@ namespace {
 
 constexpr std::size_t size = 9;  ///< pixels across and down
 
+CloudView picture_of(const std::vector<Xyz>& points, std::size_t width, std::size_t height) {
+  CloudView view = view_of(points);
+  view.width = width, view.height = height, view.row_step = width * sizeof(Xyz);
+  return view;
+}
+
 /// What a picture says of a thing at 0.4 m in its middle, of which five of nine pixels returned; those return these.
 Evidence said(const std::vector<float>& ranges) {
   std::vector<Xyz> points(size * size, Xyz{nan, nan, nan});
@@ -19,9 +25,7 @@ Evidence said(const std::vector<float>& ranges) {
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     points[(middle - 1 + i / 3) * size + middle - 1 + i % 3] = {0.0f, 0.0f, ranges[i]};
   }
-  CloudView view = view_of(points);
-  view.width = view.height = size;
-  view.row_step = size * sizeof(Xyz);
+  const CloudView view = picture_of(points, size, size);
   Spot spot;
   spot.row = spot.column = middle;
   spot.point = {0.0f, 0.0f, 0.4f};
@@ -47,9 +51,7 @@ TEST(Evidence, ReturnsAtItsRangeOrBeforeItSayThatItMayBeThere) {
 /// A depth image tells its middle, a cloud shows it but for rounding; a fuzzer found a picture of which one drove on.
 TEST(Evidence, ARowAtTheVeryLimitLeavesThePictureHoweverItsMiddleIsRounded) {
   const std::vector<Xyz> points(size * size, Xyz{0.0f, 0.0f, 2.0f});
-  CloudView view = view_of(points);
-  view.width = view.height = size;
-  view.row_step = size * sizeof(Xyz);
+  const CloudView view = picture_of(points, size, size);
   Spot at_limit, below;
   at_limit.row = 4, below.row = 5;
   for (const double middle : {20.0 - 1e-5, 20.0, 20.0 + 1e-5}) {
@@ -69,8 +71,7 @@ struct Wall {
   void blank(std::size_t row, std::size_t column) { points[row * width + column] = {nan, nan, nan}; }
   /// Of a thing at 0.4 m.
   Evidence said_of(std::size_t row, std::size_t column, const Framing* framing = nullptr) const {
-    CloudView view = view_of(points);
-    view.width = width, view.height = height, view.row_step = width * sizeof(Xyz);
+    const CloudView view = picture_of(points, width, height);
     Pixels picture(view, 0.0f);
     if (framing) picture.frame(*framing);
     Spot spot;
