@@ -12,6 +12,13 @@ constexpr double grown_old = 0.5;       ///< of its time
 constexpr double least_range = 0.01;    ///< [m]
 constexpr double most_foretold = 0.05;  ///< [m] what lies farther aside is not looked for
 
+/// As this look has it: where it was taken to be, or within `off` [m] of that.
+void renew(RememberedPlace& place, std::uint64_t look, double off) {
+  place.off += off;
+  place.drifted = 0.0;
+  place.look = look;
+}
+
 }  // namespace
 
 Forgetting::Forgetting(const Look& look, const SeenAt& seen_at, const LooksTaken& looks, const Whereabouts& robot,
@@ -32,19 +39,18 @@ bool Forgetting::has_gone(RememberedPlace& place) {
   const double range = length_of(here);
   if (robot_.foretold.at(range) > most_foretold) return false;
   const double by_way = way_since_.beside(place.look, range), since = by_way + place.drifted;
-  const Point there = from_camera(here, place.z);
-  const AtPlace seen = seen_of(place, here, there, range, by_way);
+  const double off = place.off + by_way + by_look_.at(range) + unknown_drift(place);
+  const Asked asked{here, from_camera(here, place.z), range, off};
+  const AtPlace seen = seen_of(place, asked);
   const bool is_known = place.off + since <= well_known;
   if (is_known && seen == AtPlace::ShownFar) {
-    place.off += since;  // it is where it was taken to be, or within that
-    place.drifted = 0.0;
-    place.look = looks_.latest();
+    renew(place, looks_.latest(), since);
     place.last_seen = now_;
   }
-  if (is_known && seen == AtPlace::NotThere && grows_old(place) && seen_at_.goes_on_in_picture(there))
+  if (is_known && seen == AtPlace::NotThere && grows_old(place) && seen_at_.goes_on_in_picture(asked.there))
     keep_with_what_is_shown(place, since);
-  const double measured_from = look_.measures_from + beside(place, range, by_way);
-  return is_proven(place, seen, there.getVector3fMap().norm() >= static_cast<float>(measured_from));
+  const bool is_measured = asked.there.getVector3fMap().norm() >= static_cast<float>(look_.measures_from + off);
+  return is_proven(place, seen, is_measured);
 }
 
 Point Forgetting::from_camera(const Point2& here, float height) const {
@@ -56,21 +62,16 @@ double Forgetting::unknown_drift(const RememberedPlace& place) const {
   return robot_.or_else.empty() && place.drifted > well_placed ? place.drifted : 0.0;
 }
 
-/// [m] by how far off in depth it may lie.
-double Forgetting::beside(const RememberedPlace& place, double range, double by_way) const {
-  return place.off + by_way + by_look_.at(range) + unknown_drift(place);
-}
-
 /// Where nobody knows quite where the robot is, or was, only what would be shown wherever that is: places to both sides
 /// are asked about too, and nearer and farther ones, of which the picture may end before the one, or show the end of
 /// the thing at the place of its front. A scan is told by how much it lies aside.
-AtPlace Forgetting::seen_of(const RememberedPlace& place, const Point2& here, const Point& there, double range,
-                            double by_way) {
-  const double off = beside(place, range, by_way), distance = std::max(range, least_range);
+AtPlace Forgetting::seen_of(const RememberedPlace& place, const Asked& asked) {
+  const Point2& here = asked.here;
+  const double distance = std::max(asked.range, least_range);
   const double aside = by_look_.heading + by_look_.place / distance;
-  AtPlace seen = seen_at_(there, off, aside);
+  AtPlace seen = seen_at_(asked.there, asked.off, aside);
   const auto ask_also_at = [&](const Point2& at) {
-    if (seen != AtPlace::NotThere) seen = std::min(seen, seen_at_(from_camera(at, place.z), off, aside));
+    if (seen != AtPlace::NotThere) seen = std::min(seen, seen_at_(from_camera(at, place.z), asked.off, aside));
   };
   for (const Pose2& way : way_since_.or_else(place.look)) ask_also_at(SeenAfter(way)(here));
   const bool is_scan = std::holds_alternative<ScanView>(look_.reading);
@@ -80,7 +81,7 @@ AtPlace Forgetting::seen_of(const RememberedPlace& place, const Point2& here, co
     ask_also_at(here - away);
     ask_also_at(here + away);
   }
-  const double sideways = drift + (is_scan ? 0.0 : by_look_.at(range));
+  const double sideways = drift + (is_scan ? 0.0 : by_look_.at(asked.range));
   if (sideways > 0.0) {
     const Point2 left = (sideways / distance) * Point2{-here.y, here.x};
     ask_also_at(here + left);
@@ -98,10 +99,7 @@ bool Forgetting::grows_old(const RememberedPlace& place) const {
 /// The front of a pallet, as long as its back is shown. As of the look before, since the latest does not show it.
 void Forgetting::keep_with_what_is_shown(RememberedPlace& place, double off) const {
   const auto before = looks_.placed_before_latest_of(looks_.find(place.look)->sensor);
-  if (!before || *before <= place.look) return;
-  place.off += off;
-  place.drifted = 0.0;
-  place.look = *before;
+  if (before && *before > place.look) renew(place, *before, off);
 }
 
 /// What is shown has its place anew, from this look. What a sensor could measure and does not is kept for a while: some

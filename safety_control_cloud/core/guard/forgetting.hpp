@@ -9,10 +9,6 @@
 
 namespace safety_control_cloud {
 
-constexpr std::uint8_t believed = 2;  ///< looks that show a place, or what is behind it
-constexpr double well_placed = 0.02;  ///< [m] odometry that drifted by no more has a place where it is
-constexpr double well_known = 0.2;    ///< [m] what may be off by more explains nothing that is lost, nor grows younger
-
 /// What becomes of places that the latest look does not show.
 class Forgetting {
  public:
@@ -25,9 +21,15 @@ class Forgetting {
   bool has_gone(RememberedPlace& place);
 
  private:
+  /// A place around the robot, and as the sensor has it.
+  struct Asked {
+    Point2 here;
+    Point there;
+    double range, off;  ///< [m] from the robot, and in depth, by how much it may lie elsewhere
+  };
+
   Point from_camera(const Point2& here, float height) const;
-  AtPlace seen_of(const RememberedPlace& place, const Point2& here, const Point& there, double range, double by_way);
-  double beside(const RememberedPlace& place, double range, double by_way) const;
+  AtPlace seen_of(const RememberedPlace& place, const Asked& asked);
   double unknown_drift(const RememberedPlace& place) const;
   bool grows_old(const RememberedPlace& place) const;
   void keep_with_what_is_shown(RememberedPlace& place, double off) const;

@@ -36,9 +36,9 @@ void Odometry::note(double stamp, const Pose2& pose, const Twist2& twist) {
   if (noted_.empty()) {
     since_ = stamp;
   } else {
-    const Drift before = noted_.back().unexplained, since = unexplained_by(next);
-    next.unexplained = {before.place + (since.place > noise ? since.place : 0.0),
-                        before.heading + (since.heading > noise ? since.heading : 0.0)};
+    const Drift since = unexplained_by(next);
+    next.unexplained = noted_.back().unexplained +
+                       Drift{since.place > noise ? since.place : 0.0, since.heading > noise ? since.heading : 0.0};
   }
   noted_.push_back(next);
   if (noted_.size() > 1) {  // headings go on beyond a full turn, so that the way between two poses is the short one

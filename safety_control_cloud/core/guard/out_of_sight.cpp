@@ -45,9 +45,8 @@ void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& r
   if (!seen_at.can_tell()) return;
   make_room(robot.pose.place);
   const std::vector<NearReturn> all = near_returns(look, limits_.vicinity, robot.pose, meanwhile);
-  const Drift until_latest = looks_.drift_from_latest_to(robot);
-  const Drift by_look{length_of(meanwhile.place) + robot.foretold.place + until_latest.place,
-                      std::abs(meanwhile.heading) + robot.foretold.heading + until_latest.heading};
+  const Drift by_look = Drift{length_of(meanwhile.place), std::abs(meanwhile.heading)} + robot.foretold +
+                        looks_.drift_from_latest_to(robot);
   std::optional<Extents> extents;
   if (!robot.or_else.empty()) extents.emplace(all);  // by odometry every place counts, however high
   for (const NearReturn& seen : all)
@@ -139,8 +138,7 @@ template <class Visit>
 void OutOfSight::for_each(const Whereabouts& robot, double now, Visit visit) const {
   const SeenAfter seen_after(robot.pose);
   WaySince way_since(looks_, robot);
-  const Drift latest = looks_.drift_from_latest_to(robot);
-  const Drift since{latest.place + robot.foretold.place, latest.heading + robot.foretold.heading};
+  const Drift since = looks_.drift_from_latest_to(robot) + robot.foretold;
   for (const auto& [key, place] : places_) {
     if (!counts(place, now)) continue;
     const Point2 here = seen_after({place.x, place.y});

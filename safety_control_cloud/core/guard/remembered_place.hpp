@@ -8,6 +8,10 @@
 
 namespace safety_control_cloud {
 
+constexpr std::uint8_t believed = 2;  ///< looks that show a place, or what is behind it
+constexpr double well_placed = 0.02;  ///< [m] odometry that drifted by no more has a place where it is
+constexpr double well_known = 0.2;    ///< [m] what may be off by more explains nothing that is lost, nor grows younger
+
 /// Where something returned that no sensor shows any more.
 struct RememberedPlace {
   double x, y;                   ///< [m] in the resting frame, which may begin far away

@@ -15,6 +15,8 @@ struct Drift {
   double at(double range) const { return place + heading * range; }  ///< [m] so far away
 };
 
+inline Drift operator+(const Drift& a, const Drift& b) { return {a.place + b.place, a.heading + b.heading}; }
+
 /// Where the robot is, in a frame that rests.
 struct Whereabouts {
   Pose2 pose;
