@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 import rosgraph
-from robot import AGAIN, NODE, START, after, robot_with
+from robot import AGAIN, GRACE, NODE, START, after, robot_with
 from scenes import hall, wall
 
 from safety_control_cloud.processes import process
@@ -57,6 +57,8 @@ def test_a_node_that_is_killed_is_started_again_by_roslaunch_and_begins_with_zer
     with process(["roslaunch", str(launch)]) as roslaunch, robot_with(roslaunch, hall()) as robot:
         robot.drives(within=START)
         first = pid_of(NODE)
+        os.kill(first, signal.SIGSTOP)  # what it said last arrives before, not after it is killed
+        robot.keeps_silent(GRACE)
         robot.camera.changes()
         os.kill(first, signal.SIGKILL)
         assert robot.first_command(within=RESPAWN).linear.x == 0.0
