@@ -7,9 +7,10 @@ import time
 import numpy as np
 import pytest
 import rospy
+from commanders import is_of
 from geometry_msgs.msg import Twist
-from guarded import CAMERA_TO_FRONT, bits, guarded_robot, odometry_at_rest, twist
-from robot import after, eventually
+from guarded import CAMERA_TO_FRONT, ZERO, bits, guarded_robot, odometry_at_rest, twist
+from robot import GRACE, NODE, WATCH, after, eventually
 from scenes import HEIGHT, WIDTH, always, cloud_of, hall, points_of, post, wall
 
 from safety_control_cloud.processes import process
@@ -139,7 +140,10 @@ def test_a_driver_who_falls_silent_ends_at_zero_which_goes_on_being_said(robot):
     robot.passes(AHEAD)
     robot.driver.say(None)
     assert not robot.stands("NO_COMMAND", within=0.7).stuck
-    assert len(after(robot.commands.timed()[-1][0] - 0.3, robot.commands)) >= 3
+    since = time.monotonic()
+    time.sleep(1.0)
+    said = [bits(command) for _, command in after(since, robot.commands)]
+    assert len(said) >= 3 and set(said) == {ZERO}
 
 
 @pytest.mark.parametrize("odd", [math.nan, math.inf, -math.inf, 1e3])
@@ -153,6 +157,11 @@ def test_a_command_that_is_no_motion_ends_at_zero_and_the_next_passes(robot, odd
 def test_somebody_else_on_the_base_s_topic_ends_at_zero_and_is_named(robot):
     robot.driver.say(AHEAD)
     robot.passes(AHEAD)
-    with process(["rostopic", "pub", "-r", "10", "/cmd_vel", "geometry_msgs/Twist", "{linear: {x: 0.1}}"]):
-        eventually(lambda: robot.states.all()[-1].cause_text == "TWO_COMMANDERS")
+    with process(["rostopic", "pub", "-r", "10", "/cmd_vel", "geometry_msgs/Twist", "{linear: {x: 0.1}}", "__name:=another"]):
+        eventually(lambda: "/another commands the robot on /cmd_vel" in robot.states.all()[-1].reason)
+        time.sleep(GRACE)  # what was said before arrives
+        since = time.monotonic()
+        time.sleep(WATCH)
+        assert {bits(state.given) for _, state in after(since, robot.states)} == {ZERO}
+        assert {bits(command) for _, command in after(since, robot.commands) if is_of(NODE)(command)} == {ZERO}
     eventually(lambda: robot.states.all()[-1].cause_text == "SEEN")
