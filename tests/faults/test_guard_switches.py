@@ -7,7 +7,7 @@ import pytest
 import rospy
 from genpy.dynamic import generate_dynamic
 from guarded import ZERO, bits, guarded_robot, twist
-from robot import eventually
+from robot import GRACE, after, eventually
 from std_msgs.msg import Bool, Int8
 
 from safety_control_cloud.processes import process
@@ -21,6 +21,8 @@ SWITCHES = [
     {"name": "kobuki", "type": "bumper", "topic": "mobile_base/events/bumper"},
 ]
 AHEAD, BACK = twist(0.3), twist(-0.3)
+RELEASE = 0.5  # [s] for which a switch that has been released still closes its side: switch_release_time
+PROMPT = 0.4 * GRACE  # [s] which a busy machine may exceed, but not each time
 
 
 class Switch:
@@ -85,14 +87,18 @@ def test_a_bumper_that_is_pressed_leaves_the_way_back_at_escape_speed(robot):
 
 
 def test_the_first_command_after_a_touch_is_zero(robot):
-    drives(robot)
-    robot.front.say(True)
-    robot.stands("BUMPER")
-    said = [bits(command) for command in robot.commands.all()]
-    robot.front.say(False)
-    last = len(said) - said[::-1].index(bits(AHEAD))
-    assert set(said[last:]) == {ZERO}
+    late = []
+    for _ in range(3):
+        drives(robot)
+        robot.front.say(True)
+        touched = time.monotonic()
+        robot.stands("BUMPER")
+        said = [(arrival, bits(command)) for arrival, command in after(touched, robot.commands)]
+        robot.front.say(False)
+        assert {command for _, command in said} <= {bits(AHEAD), ZERO}
+        late.append(max((arrival - touched for arrival, command in said if command != ZERO), default=0.0))
     robot.passes(AHEAD)
+    assert max(late) < GRACE and min(late) < PROMPT, late
 
 
 def test_a_kobuki_says_which_of_its_bumpers(robot):
@@ -101,7 +107,7 @@ def test_a_kobuki_says_which_of_its_bumpers(robot):
     assert "front_left" in robot.stands("BUMPER").reason
     robot.kobuki.say(1, 1)
     robot.kobuki.say(1, 0)
-    robot.stands("BUMPER")
+    robot.gives(lambda state: state.cause_text == "BUMPER" and bits(state.given) == ZERO, lasts=2 * RELEASE)
     robot.kobuki.say(0, 0)
     robot.passes(AHEAD)
 
