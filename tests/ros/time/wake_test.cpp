@@ -11,18 +11,25 @@ namespace {
 struct Sleeper {
   ros::CallbackQueue queue;
   int calls = 0;
-  ros::SteadyTime called;
+  ros::SteadyTime asked = ros::SteadyTime::now(), called;
   Wake wake{queue, [this] {
               ++calls;
               called = ros::SteadyTime::now();
             }};
 
+  /// The clock is read first: whoever is kept waiting then is called later, not too soon.
+  void ask_for(double seconds) {
+    asked = ros::SteadyTime::now();
+    wake.in(seconds);
+  }
+
+  /// Since it was asked for.
   double seconds_until_called(double patience) {
     const ros::SteadyTime begun = ros::SteadyTime::now();
     const int before = calls;
     while (calls == before && (ros::SteadyTime::now() - begun).toSec() < patience)
       queue.callAvailable(ros::WallDuration(0.01));
-    return calls == before ? -1.0 : (called - begun).toSec();
+    return calls == before ? -1.0 : (called - asked).toSec();
   }
 };
 
@@ -30,7 +37,7 @@ void sleep(double seconds) { ros::WallDuration(seconds).sleep(); }
 
 TEST(Wake, CallsOnceWhenItIsDueAndNotBefore) {
   Sleeper sleeper;
-  sleeper.wake.in(0.1);
+  sleeper.ask_for(0.1);
   EXPECT_GE(sleeper.seconds_until_called(10.0), 0.099);
   EXPECT_EQ(sleeper.seconds_until_called(0.2), -1.0);
 }
@@ -43,34 +50,34 @@ TEST(Wake, WhoSaysNoMomentIsNotCalled) {
 TEST(Wake, AMomentIsPutOffAgainAndAgain) {
   Sleeper sleeper;
   for (int i = 0; i < 20; ++i) {
-    sleeper.wake.in(10.0);
+    sleeper.ask_for(10.0);
     sleep(0.001);
   }
-  sleeper.wake.in(0.15);
-  sleeper.wake.in(0.2);
+  sleeper.ask_for(0.15);
+  sleeper.ask_for(0.2);
   EXPECT_GE(sleeper.seconds_until_called(10.0), 0.199);
 }
 
 TEST(Wake, ASoonerMomentCounts) {
   Sleeper sleeper;
-  sleeper.wake.in(1000.0);
+  sleeper.ask_for(1000.0);
   sleep(0.05);
-  sleeper.wake.in(0.05);
+  sleeper.ask_for(0.05);
   EXPECT_GE(sleeper.seconds_until_called(10.0), 0.049);
 }
 
 TEST(Wake, WhatIsPastIsDueAtOnce) {
   Sleeper sleeper;
-  sleeper.wake.in(-1.0);
+  sleeper.ask_for(-1.0);
   EXPECT_GE(sleeper.seconds_until_called(10.0), 0.0);
 }
 
 /// The queue was busy while it became due.
 TEST(Wake, WhatIsPutOffInTheQueueIsNotCalled) {
   Sleeper sleeper;
-  sleeper.wake.in(0.01);
+  sleeper.ask_for(0.01);
   sleep(0.1);
-  sleeper.wake.in(0.2);
+  sleeper.ask_for(0.2);
   EXPECT_GE(sleeper.seconds_until_called(10.0), 0.19);
   EXPECT_EQ(sleeper.calls, 1);
 }
