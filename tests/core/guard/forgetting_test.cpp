@@ -141,7 +141,7 @@ TEST(Forgetting, WhereOdometryMayHaveDriftedALookPastAPlaceProvesTheLess) {
     robot.turns(quarter - aside, wall);
     robot.passes(1.0, wall);
     const Twist2 there{0.6 * std::cos(aside), 0.6 * std::sin(aside), 0.0};
-    EXPECT_EQ(robot.wants(there).factor<1.0, drift> 0.0) << robot.wants(there).reason;
+    EXPECT_EQ((robot.wants(there).factor < 1.0), (drift > 0.0)) << robot.wants(there).reason;
   }
 }
 
