@@ -6,7 +6,7 @@ import time
 import pytest
 from commanders import ITS_END, NOTICED, commander, first, is_doubted, is_of, mean_speed
 from diagnostic_msgs.msg import DiagnosticArray
-from robot import AGAIN, NODE, Heard, after, eventually, node_under_test
+from robot import AGAIN, GRACE, NODE, Heard, after, eventually, node_under_test
 
 from safety_control_cloud.msg import SafetyState
 
@@ -25,6 +25,7 @@ def test_each_command_of_somebody_else_is_answered_by_a_zero_and_its_sender_is_n
         eventually(lambda: any("/teleop" in status.message for status in diagnostics.all()[-1].status))
         other.send(signal.SIGKILL)
         other.wait(5.0)
+    time.sleep(GRACE)  # his last command arrives, which is of the speed at which the robot drives again
     robot.camera.changes()
     robot.drives(within=ITS_END + 2.0)
     diagnostics.close()

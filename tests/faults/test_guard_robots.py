@@ -12,7 +12,7 @@ from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
 from guarded import CAMERA_TO_FRONT, ZERO, Base, bits, guarded_robot, odometry_at_rest, twist
 from laser import scan_of, with_post
 from repeated import Repeated
-from robot import START, node_under_test
+from robot import GRACE, START, node_under_test
 from scenes import FRAME, HEIGHT, WIDTH, always, cloud_of, hall, wall
 from std_msgs.msg import Header
 from tf2_msgs.msg import TFMessage
@@ -87,6 +87,7 @@ def test_what_a_robot_turned_away_from_outlives_the_node(master):
         time.sleep(2.0)  # in which it is written down once more, though the machine be busy
         robot.process.send(signal.SIGKILL)
         robot.process.wait(5.0)
+        time.sleep(GRACE)  # its last command arrives
         before = len(robot.commands.all())
         with node_under_test() as robot.process:
             robot.gives(lambda state: remembers_the_wall(state, 0.15), within=START)  # kept in cells, it is widened
@@ -124,7 +125,7 @@ def test_who_ends_while_an_override_holds_ends_with_a_zero(master, started):
         robot.gives(lambda state: state.given.linear.x == pytest.approx(0.1) and state.override_left > 0.0)
         robot.process.send(signal.SIGINT)
         assert robot.process.wait(10.0) == 0, robot.process.output()
-        assert bits(robot.last_given()) == ZERO
+        assert bits(robot.commands.until_silence()[-1]) == ZERO
 
 
 def test_two_robots_on_one_master_are_guarded_apart(master):

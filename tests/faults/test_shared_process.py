@@ -12,7 +12,7 @@ import pytest
 import rospy
 from commanders import ITS_END, first, is_doubted, mean_speed
 from listening import Heard
-from robot import AGAIN, NODE, SOURCE_TIMEOUT, START, after, eventually, is_sending, robot_with
+from robot import AGAIN, GRACE, NODE, SOURCE_TIMEOUT, START, after, eventually, is_sending, robot_with
 from scenes import always, cloud_of, hall, points_of, wall
 from std_msgs.msg import Float64
 
@@ -93,8 +93,8 @@ def test_a_nodelet_with_unfit_parameters_says_all_that_is_wrong(master):
 
 
 def test_others_that_keep_the_queue_busy_do_not_keep_the_robot_driving(shared):
-    shared.camera.changes()
     says("/block", 3.0)
+    shared.camera.changes()
     stopped = first(shared.commands, lambda command: command.linear.x == 0.0, shared.camera.changed_at)
     assert stopped - shared.camera.changed_at < SOURCE_TIMEOUT + LATE
     time.sleep(1.0)
@@ -127,6 +127,7 @@ def test_what_commands_from_within_the_same_process_is_somebody_else(shared):
         time.sleep(0.1)
     assert mean_speed(shared.commands, began) < 0.02
     assert "another part of /safety_control_cloud commands" in shared.states.all()[-1].reason
+    time.sleep(GRACE)  # its last command arrives, which is of the speed at which the robot drives again
     shared.camera.changes()
     shared.drives(within=ITS_END)
 
