@@ -33,6 +33,7 @@ def test_nor_by_one_that_is_connected_again(master):
         latching.send(signal.SIGKILL)
         with driver():
             eventually(lambda: robot.process.output().count("latches its commands") == 2)
+            robot.stands("NO_COMMAND")
             assert {bits(command) for command in robot.commands.all()} == {ZERO}
 
 

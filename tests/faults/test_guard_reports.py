@@ -44,7 +44,7 @@ def test_diagnostics_tell_what_is_near_and_a_robot_that_nobody_drives_is_no_erro
     heard = Heard("/diagnostics", DiagnosticArray)
     robot.camera.show(hall(wall(0.45)))
     robot.driver.say(AHEAD)
-    slowed = heard.until(lambda array: not math.isnan(float(values_in(array)["nearest [m]"])))
+    slowed = heard.until(lambda array: math.isfinite(float(values_in(array)["nearest [m]"])))
     assert slowed.status[0].level == DiagnosticStatus.WARN
     assert float(values_in(slowed)["nearest [m]"]) == pytest.approx(0.45 - 0.087, abs=0.05)
     robot.driver.say(None)
@@ -63,8 +63,8 @@ def test_whoever_plans_is_told_what_is_blocked_and_what_is_open(robot):
     robot.gives(lambda state: state.inside > 0)
     robot.camera.show(always(cloud_of(NOWHERE)))
     robot.stands("BLIND")
-    robot.states.until(lambda state: state.open == SafetyState.BACKWARD)  # once it has surely come to a stand
-    told = eventually(lambda: [blocked for blocked in robot.blocked.all()[-1:] if blocked.open])[0]
+    robot.gives(lambda state: state.open == SafetyState.BACKWARD)  # once it has surely come to a stand
+    told = eventually(lambda: [blocked for blocked in robot.blocked.all()[-1:] if blocked.open == SafetyState.BACKWARD])[0]
     assert (told.blocked, told.cause_text, told.open) == (True, "BLIND", SafetyState.BACKWARD)
     assert told.wanted.linear.x == AHEAD.linear.x
     robot.driver.say(twist(0.0, 0.5))  # for the same cause, and with the same way open
