@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <boost/make_shared.hpp>
-#include <chrono>
 #include <utility>
 
 #include "../time/later.hpp"
@@ -100,8 +99,8 @@ void Commands::watch() {
   double until = 0.0;
   std::unique_lock<std::mutex> lock(waking_);
   while (!leave_) {
-    const std::chrono::duration<double> left(until - now());
-    if (!answer_ && left.count() > 0.0) woken_.wait_for(lock, left);
+    const double left = until - now();
+    if (!answer_ && left > 0.0) woken_.wait_for(lock, for_seconds(left));
     const bool answer = std::exchange(answer_, false);
     lock.unlock();
     if (answer) stand();

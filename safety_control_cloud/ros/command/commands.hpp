@@ -7,7 +7,6 @@
 #include <ros/node_handle.h>
 
 #include <atomic>
-#include <condition_variable>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -16,6 +15,7 @@
 
 #include "../../core/doubt/doubt.hpp"
 #include "../graph/connected.hpp"
+#include "../time/steady_condition.hpp"
 #include "at_once.hpp"
 #include "other_commanders.hpp"
 
@@ -66,7 +66,7 @@ class Commands {
   bool ended_ = false;
 
   std::mutex waking_;
-  std::condition_variable woken_;
+  SteadyCondition woken_;
   bool answer_ = false, leave_ = false;
 
   bool other_known_ = false;   ///< of the thread alone

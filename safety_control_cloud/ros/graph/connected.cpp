@@ -4,7 +4,6 @@
 #include <ros/master.h>
 #include <ros/this_node.h>
 
-#include <chrono>
 #include <utility>
 
 #include "living.hpp"
@@ -12,7 +11,7 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr std::chrono::seconds period{1};  ///< after which they are asked again
+constexpr double period = 1.0;  ///< [s] after which they are asked again
 
 /// The nodes that publish on a topic by the master's books; none if it does not answer.
 std::optional<std::vector<std::string>> publishers_of(const std::string& topic) {
@@ -79,14 +78,14 @@ std::vector<std::string> Connected::names(std::size_t connected) {
 void Connected::ask() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!ending_) {
-    if (connected_ == 0 || answer_) asked_.wait_for(lock, period);
+    if (connected_ == 0 || answer_) asked_.wait_for(lock, for_seconds(period));
     if (ending_ || connected_ == 0) continue;
     const std::size_t connected = connected_;
     lock.unlock();
     auto names = living_publishers_of(topic_, self_);
     lock.lock();
     if (names && connected == connected_) answer_ = std::move(names);
-    if (!names) asked_.wait_for(lock, period);
+    if (!names) asked_.wait_for(lock, for_seconds(period));
   }
 }
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <condition_variable>
 #include <cstddef>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "../time/steady_condition.hpp"
 
 namespace safety_control_cloud {
 
@@ -31,7 +32,7 @@ class Connected {
   const std::string topic_;
   const Self self_;
   std::mutex mutex_;
-  std::condition_variable asked_;
+  SteadyCondition asked_;
   std::size_t connected_ = 0;
   std::optional<std::vector<std::string>> answer_;  ///< to the present number of them
   bool ending_ = false;

@@ -5,7 +5,6 @@
 #include <ros/this_node.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <optional>
 #include <utility>
@@ -17,8 +16,8 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-constexpr std::chrono::seconds period{1};  ///< after which the master is asked again
-constexpr std::size_t most_named = 3;      ///< a line of the log is no list
+constexpr double period = 1.0;         ///< [s] after which the master is asked again
+constexpr std::size_t most_named = 3;  ///< a line of the log is no list
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
@@ -114,7 +113,7 @@ void Awaited::ask() {
     std::string why = published ? why_nothing_came(wanted_, *published, own_) : "the ROS master does not answer";
     lock.lock();
     why_ = std::move(why);
-    if (!ending_) came_.wait_for(lock, period);
+    if (!ending_) came_.wait_for(lock, for_seconds(period));
   }
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <condition_variable>
 #include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "../time/steady_condition.hpp"
 
 namespace safety_control_cloud {
 
@@ -43,7 +44,7 @@ class Awaited {
   const std::vector<Wanted> wanted_;
   const std::string own_;
   mutable std::mutex mutex_;
-  std::condition_variable came_;
+  SteadyCondition came_;
   std::string why_;
   bool ending_ = false;
   std::thread thread_;

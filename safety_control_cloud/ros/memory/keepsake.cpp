@@ -4,7 +4,6 @@
 #include <ros/master.h>
 #include <ros/this_node.h>
 
-#include <chrono>
 #include <utility>
 
 namespace safety_control_cloud {
@@ -13,7 +12,7 @@ namespace {
 using Texts = Keepsake::Texts;
 using XmlRpc::XmlRpcValue;
 
-constexpr std::chrono::seconds period{1};  ///< after which the master is asked whether it still knows
+constexpr double period = 1.0;  ///< [s] after which the master is asked whether it still knows
 
 /// Not ros::param's, which waits for the master for ever.
 bool ask_master(const char* what, const std::string& name, XmlRpcValue& answer, const XmlRpcValue* value = nullptr) {
@@ -83,7 +82,7 @@ void Keepsake::write() {
     if (last) return;
     look_whether_it_is_there();
     lock.lock();
-    if (!ending_ && wanted_ == wanted) changed_.wait_for(lock, period);
+    if (!ending_ && wanted_ == wanted) changed_.wait_for(lock, for_seconds(period));
   }
 }
 

@@ -3,13 +3,14 @@
 
 #include <ros/node_handle.h>
 
-#include <condition_variable>
 #include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "../time/steady_condition.hpp"
 
 namespace safety_control_cloud {
 
@@ -39,7 +40,7 @@ class Keepsake {
   const Say say_;
   const std::optional<Texts> found_;
   std::mutex mutex_;
-  std::condition_variable changed_;
+  SteadyCondition changed_;
   Texts wanted_;
   bool ending_ = false;
   std::optional<Texts> written_;  ///< of the thread alone

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wake.hpp"
 
-#include <boost/chrono/duration.hpp>
 #include <boost/make_shared.hpp>
 #include <cstdint>
 #include <utility>
@@ -15,7 +14,7 @@ Wake::Wake(ros::CallbackQueueInterface& queue, std::function<void()> call)
 
 Wake::~Wake() {
   {
-    const boost::lock_guard<boost::mutex> lock(mutex_);
+    const std::lock_guard<std::mutex> lock(mutex_);
     leave_ = true;
   }
   sooner_.notify_all();
@@ -24,20 +23,20 @@ Wake::~Wake() {
 }
 
 void Wake::in(double seconds) {
-  const boost::lock_guard<boost::mutex> lock(mutex_);
+  const std::lock_guard<std::mutex> lock(mutex_);
   due_ = ros::SteadyTime::now() + ros::WallDuration(seconds);
   if (wakes_.isZero() || due_ < wakes_) sooner_.notify_all();
 }
 
 void Wake::watch() {
-  boost::unique_lock<boost::mutex> lock(mutex_);
+  std::unique_lock<std::mutex> lock(mutex_);
   while (!leave_) {
     wakes_ = due_;
     const ros::WallDuration left = due_ - ros::SteadyTime::now();
     if (due_.isZero()) {
       sooner_.wait(lock);
     } else if (left > ros::WallDuration()) {
-      sooner_.wait_for(lock, boost::chrono::nanoseconds(left.toNSec()));
+      sooner_.wait_for(lock, for_seconds(left.toSec()));
     } else {
       due_ = ros::SteadyTime();
       lock.unlock();
@@ -50,7 +49,7 @@ void Wake::watch() {
 /// In the queue, where it may have waited until it was put off.
 void Wake::on_due() {
   {
-    const boost::lock_guard<boost::mutex> lock(mutex_);
+    const std::lock_guard<std::mutex> lock(mutex_);
     if (!due_.isZero()) return;
   }
   call_();

@@ -4,10 +4,11 @@
 #include <ros/callback_queue_interface.h>
 #include <ros/time.h>
 
-#include <boost/thread/condition_variable.hpp>
-#include <boost/thread/mutex.hpp>
 #include <functional>
+#include <mutex>
 #include <thread>
+
+#include "steady_condition.hpp"
 
 namespace safety_control_cloud {
 
@@ -28,10 +29,10 @@ class Wake {
 
   ros::CallbackQueueInterface& queue_;
   const std::function<void()> call_;
-  boost::mutex mutex_;
-  boost::condition_variable sooner_;  ///< boost's: with g++ 9 the standard's waits longer if the clock is set back
-  ros::SteadyTime due_;               ///< zero: at no time
-  ros::SteadyTime wakes_;             ///< when the thread will see by itself what is due; zero: never
+  std::mutex mutex_;
+  SteadyCondition sooner_;
+  ros::SteadyTime due_;    ///< zero: at no time
+  ros::SteadyTime wakes_;  ///< when the thread will see by itself what is due; zero: never
   bool leave_ = false;
   std::thread thread_;
 };
