@@ -91,7 +91,8 @@ std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origi
   if (sensor_.is_near_noted()) placed_.reset();  // what it loses now may have been shown later than by that look
   if (!std::holds_alternative<Seen>(sensor_.answer())) return std::nullopt;
   was_sound_ = true;
-  return take(reading, origin, std::get<Outlook>(outlook), now, given);  // there is, or nothing were seen
+  const Outlook upright = sensor_.upright(std::get<Outlook>(outlook));  // there is, or nothing were seen
+  return take(reading, origin, upright, now, given);
 }
 
 /// As the latest reading that was believed had it.
@@ -123,7 +124,7 @@ void GuardSensor::face(const Reading& reading, const Placing& placing) {
 
 Look GuardSensor::take(const Reading& reading, const Origin& origin, const Outlook& outlook, const Instant& now,
                        const Given& given) {
-  const View view = view_in(reading, straight_);
+  const View& view = sensor_.upright_view();
   around_.finish();
   const double stamp = taken_at(origin, now), on_its_way = now.ros - stamp;
   const auto* scan = std::get_if<ScanView>(&reading);
@@ -177,7 +178,7 @@ std::optional<Outlook> GuardSensor::outlook_if_blind(const Placing& placing) con
   const auto* placement = std::get_if<Placement>(&placing);
   const bool is_blind = doubt && doubt->cause == Cause::Blind && was_sound_;
   if (!is_blind || own_.input == InputKind::Scan || !taken_ || !placement) return std::nullopt;
-  return Outlook({}, *placement);
+  return sensor_.upright(Outlook({}, *placement));
 }
 
 void GuardSensor::explain_blindness(const std::vector<KnownPlace>& known) {
@@ -247,9 +248,8 @@ bool GuardSensor::misses(const Point2& place, const Heights& heights, double off
   if (own_.input == InputKind::Scan) return length_of(place - taken_->eye.place) - off < taken_->range_min;
   const auto seen = [&](double height) { return taken_->outlook.seen_from_camera(in_corridor_axes(place, height)); };
   const Point low = seen(heights.bottom), high = seen(heights.top);
-  const auto [up, down] = std::minmax(taken_->field.top, taken_->field.bottom);
-  const auto is_above = [up = up](const Point& there) { return there.y < up * there.z; };
-  const auto is_below = [down = down](const Point& there) { return there.y > down * there.z; };
+  const auto is_above = [up = taken_->field.top](const Point& there) { return there.y < up * there.z; };
+  const auto is_below = [down = taken_->field.bottom](const Point& there) { return there.y > down * there.z; };
   return (is_above(low) && is_above(high)) || (is_below(low) && is_below(high));
 }
 

@@ -97,16 +97,20 @@ Answer Sensor::look_at(const Reading& reading, const Outlook& outlook, const Ori
   } else {
     counted_ = look_alongside(view, outlook, crop, rows, alongside);
   }
+  const auto [upright, in_upright] = upright_.of(view, outlook);
+  upright_view_ = upright;
   if (auto doubt = turns_.note(picture_of(counted_, origin), now, settings_.source_timeout)) return *std::move(doubt);
   auto blind = blind_.note(returned_in(view, counted_), settings_, now);
   const auto* scan = std::get_if<ScanView>(&reading);
   auto aim =
       scan ? doubt_about_plane(*scan, outlook, settings_.limits) : doubt_about_aim(view, outlook, settings_.limits);
-  if (blind && !aim) is_near_noted_ = near_loss_.note_blind(view, counted_, outlook, now);
+  const Sight turned = upright_.is_turned() ? look(upright, in_upright, Crop::Skip, rows) : Sight{};
+  const Sight& sight = upright_.is_turned() ? turned : counted_;
+  if (blind && !aim) is_near_noted_ = near_loss_.note_blind(upright, sight, in_upright, now);
   if (blind || aim) return blind ? *std::move(blind) : *std::move(aim);
   if (auto doubt = frozen_.note(view, origin.stamp, settings_.frozen_clouds)) return *std::move(doubt);
-  auto loss = near_loss_.judge(view, counted_, outlook, now);
-  const bool is_cut_off = near_loss_.cuts_off(counted_, outlook);
+  auto loss = near_loss_.judge(upright, sight, in_upright, now);
+  const bool is_cut_off = near_loss_.cuts_off(sight, in_upright);
   recalled_ = recalled_ && loss;
   if (recalled_) loss->reason += ", as before this start";
   return Seen{counted_, std::move(loss), is_cut_off};

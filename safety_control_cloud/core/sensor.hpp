@@ -16,6 +16,7 @@
 #include "look/look.hpp"
 #include "look/placement.hpp"
 #include "look/sight.hpp"
+#include "look/upright.hpp"
 #include "memory/near_loss.hpp"
 #include "settings.hpp"
 
@@ -68,6 +69,11 @@ class Sensor {
   /// What was counted in the latest reading, whether or not it is believed; all zero if it could not be looked at.
   const Sight& counted() const { return counted_; }
 
+  /// The latest reading that was looked at, as an upright camera has it; borrowed. And a corridor down which that
+  /// looks.
+  const View& upright_view() const { return upright_view_; }
+  Outlook upright(const Outlook& outlook) const { return upright_.turned(outlook); }
+
   /// Whether the latest reading is blind, and yet shows something near, which is remembered.
   bool is_near_noted() const { return is_near_noted_; }
 
@@ -97,6 +103,8 @@ class Sensor {
   StampWatch stamps_;
   BlindWatch blind_;
   FrozenWatch frozen_;
+  Upright upright_;
+  View upright_view_;
   NearLoss near_loss_;
   bool is_near_noted_ = false;
   bool recalled_ = false;               ///< what is lost was lost by another process
