@@ -104,7 +104,8 @@ std::vector<LowObstacles::Beside> LowObstacles::all_steps() const {
     if (!is_step(i)) continue;
     const double middle = middle_of(i, frame_);
     const auto [from, to] = std::minmax({across->slant(middle - half), across->slant(middle + half)});
-    steps.push_back({from, to, lowest_in(frame_), floor_[i]});
+    const auto since = i < hidden_since_.size() ? std::optional(hidden_since_[i]) : std::nullopt;
+    steps.push_back({from, to, lowest_in(frame_), floor_[i], since});
   }
   return steps;
 }
@@ -164,6 +165,11 @@ void LowObstacles::forget_old(const Patience& patience) {
     if (!hides_floor(i)) hidden_since_[i] = patience.now;
     if (patience.ends(hidden_since_[i])) floor_[i] = 0;
   }
+  const auto is_old = [&](Beside& step) {
+    if (!step.hidden_since) step.hidden_since = patience.now;
+    return patience.ends(*step.hidden_since);
+  };
+  beside_.erase(std::remove_if(beside_.begin(), beside_.end(), is_old), beside_.end());
 }
 
 /// A step that is kept goes on as one while its foot leaves the picture: what is left of it need be no step by itself.

@@ -48,9 +48,10 @@ class LowObstacles {
 
   /// A column with a step, that the picture does not show.
   struct Beside {
-    double from, to;    ///< x/z of its sides
-    double lowest;      ///< y/z at the lower border of the picture that showed it
-    Millimetres floor;  ///< before it
+    double from, to;                     ///< x/z of its sides
+    double lowest;                       ///< y/z at the lower border of the picture that showed it
+    Millimetres floor;                   ///< before it
+    std::optional<double> hidden_since;  ///< [s] steady: that; none: since the next picture
   };
 
   std::vector<Beside> all_steps() const;

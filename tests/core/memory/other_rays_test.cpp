@@ -18,7 +18,7 @@ enum class Form { Picture, Depths, Points };
 /// A robot that looks through any lens, a cloud every 50 ms, of which one pixel in so many is missing.
 class Looking {
  public:
-  explicit Looking(unsigned missing = 10) : missing_(missing) {}
+  explicit Looking(unsigned missing = 10, const Settings& settings = {}) : control_(settings), missing_(missing) {}
 
   Decision sees(const std::vector<Board>& boards, const Lens& lens, Form form) {
     now_ += 0.05;
@@ -46,7 +46,7 @@ class Looking {
   SafetyControl& control() { return control_; }
 
  private:
-  SafetyControl control_{Settings{}};
+  SafetyControl control_;
   double now_ = 100.0;
   std::mt19937 random_{3};
   unsigned missing_;
@@ -235,6 +235,20 @@ TEST_P(OtherRays, AKerbThatIsTooNearStaysWhenThePictureChanges) {
       EXPECT_EQ(robot.sees({}, whole, GetParam()).speed, 0.2) << "the floor before it is seen again";
     }
   }
+}
+
+TEST_P(OtherRays, AKerbThatHasLeftThePictureIsForgottenAfterTheTimeout) {
+  Settings impatient;
+  impatient.near_loss.timeout = 2.0;
+  const Lens whole, upper = whole.part(0, 0, 160, 80);
+  Looking robot(10, impatient);
+  for (int i = 0; i < 3; ++i) robot.sees({}, whole, GetParam());
+  for (const float z : {0.74f, 0.7f, 0.65f, 0.62f})
+    robot.sees({{z, -0.1f, 0.1f, floor_y - 0.05f, floor_y}}, whole, GetParam());
+  for (int i = 0; i < 30; ++i) ASSERT_EQ(robot.sees({}, upper, GetParam()).speed, 0.0) << i;
+  for (int i = 0; i < 20; ++i) robot.sees({}, upper, GetParam());
+  const Decision decision = robot.sees({}, upper, GetParam());
+  EXPECT_EQ(decision.speed, 0.2) << decision.reason;
 }
 
 class AxisBesideTheMiddle : public testing::TestWithParam<Form> {};
