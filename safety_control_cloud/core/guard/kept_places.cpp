@@ -16,7 +16,7 @@ constexpr const char* version = "places-1";
 constexpr const char* end = "end";
 constexpr double close_by = 0.04, layer = 0.1;  ///< [m] across and up
 constexpr std::size_t most = 2000;              ///< places
-constexpr double farthest = 100.0;              ///< [m]
+constexpr double farthest = 1e5;                ///< [m] farther than anybody drives in memory_time
 constexpr double millimetre = 1e-3;             ///< [m]
 constexpr double almost_half = 0.499e-3;        ///< [m] so that it is rounded up
 
@@ -63,7 +63,7 @@ std::string to_text(const KeptPlaces& kept) {
        << kept.robot.heading << ' ' << places.size();
   for (const KeptPlace& one : places) {
     text << ' ' << in_millimetres(one.place.x) << ' ' << in_millimetres(one.place.y) << ' '
-         << in_millimetres(one.height) << ' ' << in_millimetres(one.off + almost_half);
+         << in_millimetres(one.height) << ' ' << in_millimetres(std::min(one.off, farthest - millimetre) + almost_half);
   }
   text << ' ' << end;
   return text.str();

@@ -60,6 +60,17 @@ TEST(KeptPlaces, OfTooManyTheNearestAreKept) {
   }
 }
 
+/// As it is in ten minutes.
+TEST(KeptPlaces, WhatLiesFarAwayOrMayBeAnywhereKeepsNothingElseFromBeingRead) {
+  KeptPlaces kept = some(3, 1.5);
+  kept.all.push_back({{150.0, -4000.0}, 0.3, 3.0});
+  kept.all.push_back({{2.0, 0.0}, 0.3, 1e9});
+  const auto read = kept_places_in(to_text(kept));
+  ASSERT_TRUE(read);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(covers(*read, kept.all[i])) << i;
+  EXPECT_EQ(read->all.size(), kept.all.size());
+}
+
 TEST(KeptPlaces, OfNoneNothingIsWritten) { EXPECT_EQ(to_text(KeptPlaces{}), ""); }
 
 TEST(KeptPlaces, WhatIsNotWholeIsNotRead) {
