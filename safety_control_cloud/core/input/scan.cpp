@@ -13,6 +13,7 @@ namespace safety_control_cloud {
 namespace {
 
 constexpr double full_turn = 6.283185307179586;
+constexpr double least_step = 1e-6;  ///< [rad] finer than any; a number that is hardly one is none
 constexpr double off_by = 1.5;  ///< increments: drivers disagree on whether angle_max is the last beam or the next
 constexpr double longest_turn = 10.0;  ///< [s]
 constexpr std::size_t most = 1000000;  ///< beams
@@ -29,7 +30,7 @@ void check(const Scan& scan) {
   const double step = scan.angle_increment, span = step * static_cast<double>(scan.size - 1);
   require(std::abs(scan.angle_min) <= full_turn && std::abs(scan.angle_max) <= full_turn,
           words("angles from ", scan.angle_min, " to ", scan.angle_max, " rad"));
-  require(std::abs(step) <= full_turn && (step != 0.0 || scan.size == 1) &&
+  require(std::abs(step) <= full_turn && (std::abs(step) >= least_step || scan.size == 1) &&
               std::abs(span) <= full_turn + off_by * std::abs(step),
           words(scan.size, " ranges, ", step, " rad apart"));
   require(std::abs(scan.angle_min + span - scan.angle_max) <= off_by * std::abs(step) + 1e-6,

@@ -93,6 +93,7 @@ TEST(Scan, EveryContradictionIsRefused) {
   std::vector<std::function<void(Scan&)>> harms = {
       [](Scan& s) { s.size = 0; },
       [](Scan& s) { s.angle_increment = 0.0; },
+      [](Scan& s) { s.angle_increment = 1e-45, s.angle_max = s.angle_min; },
       [](Scan& s) { s.angle_increment *= 0.5; },
       [](Scan& s) { s.angle_increment *= -1.0; },
       [](Scan& s) { s.angle_min -= 0.7; },
