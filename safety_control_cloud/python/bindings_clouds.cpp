@@ -54,7 +54,7 @@ BorrowedCloud cloud_of_bytes(const py::buffer& data, std::uint32_t height, std::
   core::Layout layout{height, width, {}, is_bigendian, point_step, row_step};
   for (const auto& [name, offset, datatype, count] : fields) layout.fields.push_back({name, offset, datatype, count});
   const py::buffer_info bytes = contiguous(data);
-  return {data,
+  return {py::memoryview(data),
           core::view_of(layout, static_cast<const std::uint8_t*>(bytes.ptr), static_cast<std::size_t>(bytes.size))};
 }
 
@@ -73,7 +73,7 @@ BorrowedCloud cloud_of_image(const py::buffer& data, std::uint32_t height, std::
                              const core::CameraClaims& camera) {
   const core::DepthLayout layout{height, width, encoding, is_bigendian, step, rectified, camera};
   const py::buffer_info bytes = contiguous(data);
-  return {data,
+  return {py::memoryview(data),
           core::view_of(layout, static_cast<const std::uint8_t*>(bytes.ptr), static_cast<std::size_t>(bytes.size))};
 }
 

@@ -84,6 +84,14 @@ def test_an_unreadable_cloud_stops_the_robot_and_says_why():
         core.look(cloud)
 
 
+def test_bytes_that_are_looked_at_cannot_be_moved_away():
+    data = bytearray(np.array([[0, 0, 2]], np.float32).tobytes())
+    cloud = core.Cloud.of_bytes(data, 1, 1, [("x", 0, 7, 1), ("y", 4, 7, 1), ("z", 8, 7, 1)], False, 12, 12)
+    with pytest.raises(BufferError):
+        data.extend(bytes(1 << 20))
+    assert core.look(cloud).returns == 1
+
+
 def test_a_parameter_that_does_not_exist_is_no_setting():
     with pytest.raises(AttributeError, match="danger_distanse"):
         core.Settings(danger_distanse=0.6)

@@ -2,7 +2,7 @@
 """The decision of safety_control_cloud: the same C++ code that the node runs.
 
 Frame: optical (x right, y down, z forward) [m]. Points are float32. Clouds are borrowed, never copied; the GIL is
-released while one is looked at, so do not write to it from another thread meanwhile.
+released while one is looked at, so do not write to it, nor call the same control, from another thread meanwhile.
 """
 from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
