@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "../text/words.hpp"
 
@@ -61,6 +62,7 @@ void Odometry::note_pose(double stamp, const Pose2& pose, double fastest, double
 void Odometry::forget() {
   if (!noted_.empty()) ++breaks_;
   noted_.clear();
+  since_ = std::numeric_limits<double>::infinity();
 }
 
 /// Of the way from the latest on. Of who tells no twists, one that goes on as before is explained.

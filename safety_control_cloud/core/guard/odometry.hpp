@@ -45,7 +45,7 @@ class Odometry {
   /// Why one who has spoken is not believed at `now` [s, ROS time].
   std::optional<std::string> doubt_at(double now) const;
 
-  /// How often it did not go on from what was before, and the first stamp [s] since.
+  /// How often it did not go on from what was before, and the first stamp [s] since; infinite until then.
   std::size_t breaks() const { return breaks_; }
   double goes_on_since() const { return since_; }
 

@@ -36,6 +36,16 @@ TEST(Odometry, TellsTheWayBetweenAndBeyondItsPoses) {
   expect_near(odometry.way_since(10.33, 11.1), way_of(twist, 0.77), 1e-4);
 }
 
+TEST(Odometry, WhatToldNonsenseGoesOnSinceItToldSenseAgain) {
+  Odometry odometry;
+  drive(odometry, {}, 10.0, 1.0);
+  odometry.note(11.02, {{std::nan(""), 0.0}, 0.0}, {});
+  EXPECT_EQ(odometry.breaks(), 1u);
+  EXPECT_GT(odometry.goes_on_since(), 1e9) << "not since it began";
+  drive(odometry, {}, 12.0, 0.1);
+  EXPECT_EQ(odometry.goes_on_since(), 12.0);
+}
+
 /// As TF has it: of the pose alone.
 TEST(Odometry, OfPosesAloneTellsTheSameWayAndTheTwistBetweenThem) {
   Odometry odometry;
