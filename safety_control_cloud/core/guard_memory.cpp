@@ -233,22 +233,21 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
     all.push_back(known);
   };
   if (by_odometry_) {
-    add(out_of_sight_.rings(robot, reach, now.steady, shows).all);
+    add(out_of_sight_.rings(robot, reach, now.steady, shows));
     return all;
   }
   const bool was_placed = told_since_ && now.steady - *told_since_ <= time_;  // well, by odometry: all of it counts
   known.is_reckoned = !was_placed;
+  const auto is_missed = [&](std::size_t sensor, const Point2& place, const Heights& heights, double off) {
+    return shows[sensor] && !was_placed && sensors[sensor].misses(place, heights, off);
+  };
+  auto of_each = out_of_sight_.rings_of_each(robot, reach, now.steady, shows, is_missed);
   for (std::size_t i = 0; i < sensors.size(); ++i) {
-    const GuardSensor& sensor = sensors[i];
-    known.seen_by = shows[i] ? sensor.eye() : std::nullopt;
+    known.seen_by = shows[i] ? sensors[i].eye() : std::nullopt;
     known.is_missed = false;
-    const auto is_missed = [&](const Point2& place, const Heights& heights, double off) {
-      return known.seen_by && !was_placed && sensor.misses(place, heights, off);
-    };
-    auto rings = out_of_sight_.rings(robot, reach, now.steady, shows, i, is_missed);
-    add(std::move(rings.all));
+    add(std::move(of_each[i].all));
     known.is_missed = true;
-    add(std::move(rings.asked_for));
+    add(std::move(of_each[i].asked_for));
   }
   return all;
 }

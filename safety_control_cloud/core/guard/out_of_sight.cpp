@@ -34,6 +34,15 @@ void add_to(std::unordered_map<std::uint64_t, RememberedPlace>& places, const Re
   if (!places.emplace(key, place).second) places.emplace(key | elsewhere, place);
 }
 
+/// By how much it may have been displaced.
+void add_to(std::vector<Ring>& rings, const Point2& place, double off) {
+  const auto fits = std::lower_bound(displaced.begin(), displaced.end() - 1, off);
+  Ring& ring = rings[static_cast<std::size_t>(fits - displaced.begin())];
+  ring.obstacles.points.push_back(place);
+  ring.obstacles.widening = std::max(ring.obstacles.widening, off);
+  ++ring.returns;
+}
+
 }  // namespace
 
 void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now,
@@ -197,25 +206,32 @@ std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Whereab
   return places;
 }
 
-OutOfSight::Rings OutOfSight::rings(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows,
-                                    std::optional<std::size_t> of, const AsksFor& asks) const {
-  const std::vector<Ring> empty(displaced.size(), Ring{reach, {}});
-  Rings rings{empty, empty};
-  const auto is_shown = [&](const Place& place, const Here& here) {
-    return shows[here.look.sensor] && looks_.is_latest_of_its_sensor(place.look);
-  };
+template <class Visit>
+void OutOfSight::for_each_unseen(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows,
+                                 Visit visit) const {
   for_each(robot, now, [&](const Place& place, const Here& here) {
-    if ((of && here.look.sensor != *of) || is_shown(place, here) || here.range - here.off > reach) return;
-    const auto fits = std::lower_bound(displaced.begin(), displaced.end() - 1, here.off);
-    const auto add_to = [&, i = static_cast<std::size_t>(fits - displaced.begin())](std::vector<Ring>& some) {
-      some[i].obstacles.points.push_back(here.place);
-      some[i].obstacles.widening = std::max(some[i].obstacles.widening, here.off);
-      ++some[i].returns;
-    };
-    add_to(rings.all);
-    if (asks && asks(here.place, place.stands, here.off)) add_to(rings.asked_for);
+    const bool is_shown = shows[here.look.sensor] && looks_.is_latest_of_its_sensor(place.look);
+    if (!is_shown && here.range - here.off <= reach) visit(place, here);
   });
+}
+
+std::vector<Ring> OutOfSight::rings(const Whereabouts& robot, double reach, double now,
+                                    const std::vector<bool>& shows) const {
+  std::vector<Ring> rings(displaced.size(), Ring{reach, {}});
+  for_each_unseen(robot, reach, now, shows, [&](const Place&, const Here& here) { add_to(rings, here.place, here.off); });
   return rings;
+}
+
+std::vector<OutOfSight::Rings> OutOfSight::rings_of_each(const Whereabouts& robot, double reach, double now,
+                                                         const std::vector<bool>& shows, const AsksFor& asks) const {
+  const std::vector<Ring> empty(displaced.size(), Ring{reach, {}});
+  std::vector<Rings> of_each(shows.size(), Rings{empty, empty});
+  for_each_unseen(robot, reach, now, shows, [&](const Place& place, const Here& here) {
+    Rings& rings = of_each[here.look.sensor];
+    add_to(rings.all, here.place, here.off);
+    if (asks(here.look.sensor, here.place, place.stands, here.off)) add_to(rings.asked_for, here.place, here.off);
+  });
+  return of_each;
 }
 
 }  // namespace safety_control_cloud

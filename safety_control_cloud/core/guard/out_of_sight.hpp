@@ -61,9 +61,9 @@ class OutOfSight {
   /// From now on these too are kept, as if `sensor` had shown them to a robot that was there.
   void recall(const std::vector<KeptPlace>& places, std::size_t sensor, const Whereabouts& there, double now);
 
-  /// Whether somebody asks for a place in base_frame, a part of what stood or hung there between these heights, or up
-  /// to `off` [m] elsewhere.
-  using AsksFor = std::function<bool(const Point2& place, const Heights& heights, double off)>;
+  /// Whether somebody asks for a place in base_frame that a sensor saw, a part of what stood or hung there between these
+  /// heights, or up to `off` [m] elsewhere.
+  using AsksFor = std::function<bool(std::size_t sensor, const Point2& place, const Heights& heights, double off)>;
 
   struct Rings {
     std::vector<Ring> all, asked_for;
@@ -81,9 +81,11 @@ class OutOfSight {
 
   /// What is kept and not shown by the latest look of its sensor, around the robot, out to `reach` [m]; by how much it
   /// may have been displaced meanwhile. `shows`: of each sensor, whether its latest look is believed still.
-  /// `of`: what this sensor saw; none: all of them.
-  Rings rings(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows,
-              std::optional<std::size_t> of = std::nullopt, const AsksFor& asks = nullptr) const;
+  std::vector<Ring> rings(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows) const;
+
+  /// The same of what each sensor saw.
+  std::vector<Rings> rings_of_each(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows,
+                                   const AsksFor& asks) const;
 
  private:
   using Place = RememberedPlace;
@@ -102,6 +104,9 @@ class OutOfSight {
   bool counts(const Place& place, double now) const;
   template <class Visit>
   void for_each(const Whereabouts& robot, double now, Visit visit) const;
+  template <class Visit>
+  void for_each_unseen(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows,
+                       Visit visit) const;
   void keep(const NearReturn& seen, double now, double off, const Heights& stands);
   std::uint8_t looks_of(const Place& before) const;
   std::uint8_t looks_beside(const Point2& place, double height) const;
