@@ -61,6 +61,7 @@ void GuardControl::adopt(const Settings& settings) {
 
 void GuardControl::forget_losses() {
   memory_.forget();
+  closed_.reset();
   for (GuardSensor& sensor : sensors_) sensor.forget_losses();
 }
 

@@ -64,8 +64,10 @@ class GuardControl {
   /// What speaks against a sensor that its readings do not tell, until there is none.
   void note_about(std::size_t sensor, std::optional<Doubt> doubt) { sensors_[sensor].note_outside(std::move(doubt)); }
 
-  /// One of the settings' switches says of an edge whether it is touched there; or what speaks against the switch.
+  /// One of the settings' switches says of an edge whether it is touched there; who said so is no more; or what speaks
+  /// against the switch.
   void note_switch(std::size_t which, Edge edge, bool touched, const Instant& now);
+  void note_switch_gone(std::size_t which) { closed_.note_gone(which); }
   void note_about_switch(std::size_t which, std::optional<Doubt> doubt);
 
   /// Somebody asks that for a while nobody asks what is seen.

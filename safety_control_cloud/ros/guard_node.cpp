@@ -62,8 +62,10 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
       boost::function<void(const geometry_msgs::PolygonStamped::ConstPtr&)>(
           [this](const geometry_msgs::PolygonStamped::ConstPtr& polygon) { on_footprint(*polygon); }));
   for (const SwitchSettings& one : settings.switches) {
-    const auto on_word = [this, which = switches_.size()](Edge edge, bool touched) { on_switch(which, edge, touched); };
-    switches_.push_back(std::make_unique<SwitchInput>(handle, one, on_word));
+    const std::size_t which = switches_.size();
+    switches_.push_back(std::make_unique<SwitchInput>(
+        handle, one, [this, which](Edge edge, bool touched) { on_switch(which, edge, touched); },
+        [this, which] { control_.note_switch_gone(which); }));
   }
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     channels_[i]->open(

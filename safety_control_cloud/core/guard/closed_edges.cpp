@@ -26,7 +26,18 @@ void ClosedEdges::note(std::size_t which, Edge edge, bool touched, double now) {
   state.spoke_at = now;
   if (!touched && state.words.count(edge) == 0) return;
   Word& word = state.words[edge];
-  if (word.touched != touched) word = {touched, now};
+  if (word.touched != touched || word.is_left) word = {touched, now};
+}
+
+void ClosedEdges::note_gone(std::size_t which) {
+  for (auto& [edge, word] : states_[which].words) word.is_left = word.touched;
+}
+
+void ClosedEdges::reset() {
+  for (State& state : states_) {
+    for (auto& [edge, word] : state.words)
+      if (word.is_left) word = {};
+  }
 }
 
 std::vector<Known> ClosedEdges::known_at(double now, double release_time) const {
@@ -45,6 +56,7 @@ std::vector<Known> ClosedEdges::known_at(double now, double release_time) const 
       closed.eye = Eye{{}, direction_of(edge), 0.0};
       const std::string reason =
           word.touched ? in_words(one.type, edge) : words("it was so until just now: ", in_words(one.type, edge));
+      if (word.is_left) closed.hint = "its driver says that it is released, or after ~reset, when somebody has looked";
       closed.lost = Doubt{one.type == SwitchKind::Cliff ? Cause::Cliff : Cause::Bumper, reason};
       all.push_back(std::move(closed));
     }

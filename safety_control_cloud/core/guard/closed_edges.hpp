@@ -19,6 +19,12 @@ class ClosedEdges {
   /// A switch says of an edge whether it is touched there, at `now` [s, steady].
   void note(std::size_t which, Edge edge, bool touched, double now);
 
+  /// Who said what one has said so far is no more; it holds until whoever follows says otherwise, or reset().
+  void note_gone(std::size_t which);
+
+  /// What was said by who is no more is forgotten: somebody has looked.
+  void reset();
+
   /// What speaks against a switch that its messages do not tell; none: nothing any more.
   void note_outside(std::size_t which, std::optional<Doubt> doubt) { states_[which].outside = std::move(doubt); }
 
@@ -29,7 +35,8 @@ class ClosedEdges {
  private:
   struct Word {
     bool touched = false;
-    double since = 0.0;  ///< [s, steady]
+    double since = 0.0;    ///< [s, steady]
+    bool is_left = false;  ///< by who is no more
   };
   struct State {
     State(const SwitchSettings& of) : settings(of) {}

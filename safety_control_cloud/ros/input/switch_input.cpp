@@ -31,9 +31,11 @@ Edge edge_of(const SwitchWord& word, const SwitchSettings& settings) {
 
 }  // namespace
 
-SwitchInput::SwitchInput(ros::NodeHandle& handle, const SwitchSettings& settings, OnSwitch on_switch)
+SwitchInput::SwitchInput(ros::NodeHandle& handle, const SwitchSettings& settings, OnSwitch on_switch,
+                         std::function<void()> on_gone)
     : settings_(settings),
       on_switch_(std::move(on_switch)),
+      on_gone_(std::move(on_gone)),
       handle_(handle),
       publishers_(handle.resolveName(settings.topic), Connected::Self::Counts) {
   subscribe();
@@ -53,6 +55,7 @@ void SwitchInput::note_publishers() {
   is_published_ = !publishers_.names(subscriber_.getNumPublishers()).empty();
   if (!was_published || is_published_) return;
   unreadable_.reset();
+  on_gone_();
   subscribe();
 }
 

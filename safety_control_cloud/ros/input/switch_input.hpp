@@ -20,8 +20,9 @@ using OnSwitch = std::function<void(Edge edge, bool touched)>;
 /// One switch's way into the node, whatever type its topic has.
 class SwitchInput {
  public:
-  /// Each word that can be read is handed over.
-  SwitchInput(ros::NodeHandle& handle, const SwitchSettings& settings, OnSwitch on_switch);
+  /// Each word that can be read is handed over; and that all have gone who said any.
+  SwitchInput(ros::NodeHandle& handle, const SwitchSettings& settings, OnSwitch on_switch,
+              std::function<void()> on_gone);
   SwitchInput(const SwitchInput&) = delete;
   SwitchInput& operator=(const SwitchInput&) = delete;
 
@@ -38,6 +39,7 @@ class SwitchInput {
 
   const SwitchSettings settings_;
   OnSwitch on_switch_;
+  std::function<void()> on_gone_;
   std::optional<Doubt> unreadable_;
   ros::NodeHandle handle_;
   ros::Subscriber subscriber_;

@@ -57,6 +57,30 @@ TEST(ClosedEdges, ATouchStopsAtOnceAndNamesItself) {
   EXPECT_EQ(robot.goes_on(1.0, forward).cause, Cause::Cliff);
 }
 
+/// It may be touched still, or have been freed meanwhile.
+TEST(ClosedEdges, WhatADriverSaidThatIsNoMoreHoldsUntilItsSuccessorSpeaksOrReset) {
+  for (const bool is_reset : {false, true}) {
+    Robot robot;
+    robot.says(kobuki, Edge::Front, true);
+    robot.control.forget_losses();
+    EXPECT_EQ(robot.goes_on(1.0, forward).cause, Cause::Bumper) << "somebody says so still";
+    robot.control.note_switch_gone(kobuki);
+    EXPECT_EQ(robot.goes_on(1.0, forward).cause, Cause::Bumper);
+    EXPECT_NE(robot.wants(forward).hint.find("~reset"), std::string::npos) << robot.wants(forward).hint;
+    is_reset ? robot.control.forget_losses() : robot.says(kobuki, Edge::Front, false);
+    EXPECT_EQ(robot.goes_on(1.0, forward).factor, 1.0) << robot.wants(forward).reason;
+  }
+}
+
+TEST(ClosedEdges, WhatItsSuccessorSaysIsItsOwn) {
+  Robot robot;
+  robot.says(kobuki, Edge::Front, true);
+  robot.control.note_switch_gone(kobuki);
+  robot.says(kobuki, Edge::Front, true);
+  robot.control.forget_losses();
+  EXPECT_EQ(robot.goes_on(1.0, forward).cause, Cause::Bumper);
+}
+
 TEST(ClosedEdges, AwayFromItIsOpenAtEscapeSpeedAndNothingElse) {
   for (const Edge edge : {Edge::Front, Edge::FrontLeft, Edge::FrontRight}) {
     Robot robot;
