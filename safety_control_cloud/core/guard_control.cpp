@@ -207,7 +207,16 @@ Allowed GuardControl::allowed_now(const Instant& now, const std::vector<Known>& 
 
 const Guarded& GuardControl::answer(const Instant& now) {
   const std::vector<Known> known = known_at(now);
-  Allowed allowed = allowed_now(now, known);
+  settle(allowed_now(now, known), now);
+  if (last_.stuck) last_.open = open_directions(guard_, settings_, under_way({}, now), known);
+  return last_;
+}
+
+const Guarded& GuardControl::stand(const Instant& now, const Doubt& doubt) {
+  return settle({0.0, 0.0, std::nullopt, {}, doubt.cause, doubt.reason}, now);
+}
+
+const Guarded& GuardControl::settle(Allowed allowed, const Instant& now) {
   const bool was_stuck = last_.stuck;
   const bool meant = wanted_ && allowed.cause != Cause::NoCommand && allowed.cause != Cause::BadCommand;
   last_.wanted = wanted_.value_or(Command{});
@@ -224,8 +233,8 @@ const Guarded& GuardControl::answer(const Instant& now) {
   last_.sight = sight_of(last_.sensor);
   last_.stuck = meant && allowed.factor == 0.0 && !stands(in_plane(*wanted_));
   if (last_.stuck && !was_stuck) last_.stuck_since = now.steady;
+  last_.open = 0;
   given_.note(in_plane(last_.given), now.steady);
-  last_.open = last_.stuck ? open_directions(guard_, settings_, under_way({}, now), known) : std::uint8_t{0};
   return last_;
 }
 

@@ -76,6 +76,9 @@ class GuardControl {
   /// What holds now. It is taken for said: the robot is held to do it from now on.
   const Guarded& answer(const Instant& now);
 
+  /// What it answers if nobody can tell what holds: the robot stands.
+  const Guarded& stand(const Instant& now, const Doubt& doubt);
+
   /// Goes on with other settings; throws like the constructor and then keeps the old ones.
   void adopt(const Settings& settings);
 
@@ -102,6 +105,7 @@ class GuardControl {
   UnderWay under_way(const Twist2& wanted, const Instant& now) const;
   Allowed overridden(const Twist2& wanted, const std::vector<Known>& known, const Instant& now) const;
   Allowed allowed_now(const Instant& now, const std::vector<Known>& known) const;
+  const Guarded& settle(Allowed allowed, const Instant& now);
   const Sight& sight_of(const std::string& sensor) const;
 
   Settings settings_;

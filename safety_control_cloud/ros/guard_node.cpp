@@ -103,7 +103,7 @@ void GuardNode::on_arrival(std::size_t sensor, const Arrival& arrival) {
   diagnostics_.on_cloud(to_decision(decided), header_, decision_time, latency, sensor);
 }
 
-/// The one border where an exception becomes a doubt: whatever went wrong, the robot stands.
+/// Here, and in answer_now(), an exception becomes a doubt: whatever went wrong, the robot stands.
 void GuardNode::see(std::size_t sensor, const Arrival& arrival, const Instant& came) {
   const double stamp = arrival.header.stamp.toSec();
   Origin origin{stamp, OpticalFrame{}, arrival.source, arrival.header.frame_id};
@@ -171,9 +171,17 @@ const Guarded& GuardNode::answer() {
     control_.note_about_switch(i, switches_[i]->doubt());
   }
   answered_at_ = now();
-  const Guarded& answer = control_.answer(answered_at_);
+  const Guarded& answer = answer_now();
   diagnostics_.note_override(answer.override_left);
   return answer;
+}
+
+const Guarded& GuardNode::answer_now() {
+  try {
+    return control_.answer(answered_at_);
+  } catch (const std::exception& problem) {
+    return control_.stand(answered_at_, {Cause::Unreadable, problem.what()});
+  }
 }
 
 bool GuardNode::changes(const Guarded& answer) const {

@@ -51,6 +51,7 @@ class GuardNode : public Node {
   bool may_have_waited(const Instant& came) const;
   void see(std::size_t sensor, const Arrival& arrival, const Instant& came);
   const Guarded& answer();
+  const Guarded& answer_now();
   bool changes(const Guarded& answer) const;
   void publish(const Guarded& answer);
 

@@ -198,6 +198,8 @@ Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Kn
                      : is_shown ? (turns_sharply(wanted) ? std::clamp(ring.obstacles.widening, 0.0, most_beside) : 0.0)
                                 : ring.obstacles.widening;
   const double widening = off + half_of_gap(known.ways, std::sqrt(2.0) * ring.extent);
+  if (!(outline_.margin() + widening <= most_margin))
+    return standing(known.sensor, {Cause::Seen, "something was near, and may be anywhere by now"});
   Law law = known.law;
   law.min_points = law.min_points > nearer ? law.min_points - nearer : 1;
   // What is inside the margin can be left only by who knows the points as they are (limit.hpp), and a robot that was

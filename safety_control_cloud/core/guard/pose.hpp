@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -67,9 +68,12 @@ class SeenAfter {
 /// The same of obstacles; their widening is left to whoever asks.
 Obstacles seen_after(const Pose2& way, const Obstacles& before);
 
+/// [m] that a point at this distance from who turns by an angle [rad] moves at most, seen from him: to the other side.
+inline double displacement_by_turn(double angle, double distance) { return std::min(std::abs(angle), 2.0) * distance; }
+
 /// [m] that a point at this distance from the robot moves at most, seen from it.
 inline double displacement(const Pose2& way, double distance) {
-  return length_of(way.place) + std::abs(way.heading) * distance;
+  return length_of(way.place) + displacement_by_turn(way.heading, distance);
 }
 
 /// [m] that such a point may be from where the nearest of the ways has it, if the true one lies between two that follow

@@ -12,7 +12,7 @@ namespace safety_control_cloud {
 struct Drift {
   double place = 0.0, heading = 0.0;  ///< [m], [rad]
 
-  double at(double range) const { return place + heading * range; }  ///< [m] so far away
+  double at(double range) const { return place + displacement_by_turn(heading, range); }  ///< [m] so far away
 };
 
 inline Drift operator+(const Drift& a, const Drift& b) { return {a.place + b.place, a.heading + b.heading}; }

@@ -9,7 +9,6 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double farthest = 100.0;         // [m]: no robot reaches so far; millimetres would
 constexpr double nearest_corners = 1e-4;   // [m]
 constexpr std::size_t most_corners = 100;  // every point is asked against each of them
 
@@ -19,7 +18,9 @@ std::string side(std::size_t index, std::size_t count) {
   return "the side from " + corner(index) + " to " + corner((index + 1) % count);
 }
 
-bool is_near_enough(const Point2& point) { return std::abs(point.x) <= farthest && std::abs(point.y) <= farthest; }
+bool is_near_enough(const Point2& point) {
+  return std::abs(point.x) <= farthest_corner && std::abs(point.y) <= farthest_corner;
+}
 
 /// Sides that meet in a corner: whether one runs back along the other.
 bool folds_back(const Segment& first, const Segment& second) {
@@ -61,10 +62,10 @@ std::vector<std::string> problems_in(const Footprint& footprint) {
   std::vector<std::string> problems;
   if (!footprint.polygon.empty()) {
     check_polygon(footprint, problems);
-  } else if (!(footprint.radius > 0.0 && footprint.radius <= farthest)) {
+  } else if (!(footprint.radius > 0.0 && footprint.radius <= farthest_corner)) {
     problems.emplace_back("the footprint must have a polygon, or a radius of more than 0 and at most 100 m");
   }
-  if (!(footprint.margin >= 0.0 && footprint.margin <= farthest))
+  if (!(footprint.margin >= 0.0 && footprint.margin <= most_margin))
     problems.emplace_back("margin must lie between 0 and 100 m");
   return problems;
 }

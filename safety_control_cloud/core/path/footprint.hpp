@@ -8,6 +8,9 @@
 
 namespace safety_control_cloud {
 
+constexpr double farthest_corner = 100.0;  ///< [m]: no robot reaches so far; millimetres would
+constexpr double most_margin = 100.0;      ///< [m]
+
 /// What the robot covers of the floor, and how much more must stay clear around it.
 struct Footprint {
   std::vector<Point2> polygon;  ///< corners in either order, convex or not; empty: a circle around base_frame's origin

@@ -177,6 +177,22 @@ TEST(WithoutOdometry, WhoCreepsDrivesToo) {
   EXPECT_EQ(robot.wants({-0.0019, 0.0, 0.0}).factor, 0.0) << robot.wants({-0.0019, 0.0, 0.0}).reason;
 }
 
+/// For as long as it is remembered.
+TEST(WithoutOdometry, WhatMayBeAnywhereByNowStopsWhoDrivesWhereNobodyLooks) {
+  Settings settings = remembering();
+  settings.memory_time = 600.0;
+  RobotWithoutOdometry robot(settings);
+  robot.passes(0.5, with_post);
+  for (int i = 0; i < 1200; ++i) {
+    robot.pass(0.4);
+    robot.see(robot.hall);
+    robot.wants({0.5, 0.0, i % 2 == 0 ? 1.0 : -1.0});
+  }
+  EXPECT_EQ(robot.wants(back).factor, 0.0);
+  EXPECT_EQ(robot.wants(back).reason, "something was near, and may be anywhere by now");
+  EXPECT_EQ(robot.drives(robot.hall, {0.3, 0.0, 0.0}).factor, 1.0) << robot.wants({0.3, 0.0, 0.0}).reason;
+}
+
 /// It comes so late that now and then its latest stamp is too old.
 TEST(WithoutOdometry, OdometryThatComesTooLateIsAsNone) {
   for (const auto& [period, late] : {std::pair{0.1, 0.24}, std::pair{0.2, 0.16}, std::pair{0.05, 0.3}}) {
