@@ -41,7 +41,7 @@ void check_guard(const Settings& settings, Problems& problems) {
       "in mode guard the footprint, bottom and top say what x_min, x_max, y_min and y_max say in mode drive");
 }
 
-/// Without what is no matter of the settings, or said already: what a scan is looked by.
+/// Without what is no matter of the settings, or said already: what a scan is looked by, how wide the footprint is.
 Settings looked_by(Settings settings) {
   settings.input = InputKind::Cloud;
   if (settings.base_frame.empty()) settings.base_frame = GuardSettings{}.base_frame;
@@ -49,7 +49,9 @@ Settings looked_by(Settings settings) {
   const Corridor defaults;
   corridor.x_min = defaults.x_min, corridor.x_max = defaults.x_max;
   corridor.y_min = defaults.y_min, corridor.y_max = defaults.y_max;
-  return sensor_settings(settings);
+  Settings looked = sensor_settings(settings);
+  looked.frame_corridor.left = FrameCorridor{}.left, looked.frame_corridor.right = FrameCorridor{}.right;
+  return looked;
 }
 
 /// What of a sensor is unfit only by what is its own.

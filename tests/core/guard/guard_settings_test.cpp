@@ -35,6 +35,14 @@ TEST(GuardSettings, TheGuardIsFitAsItIsMade) {
   EXPECT_TRUE(doubts_about(settings).empty());
 }
 
+TEST(GuardSettings, OfNoMarginNothingIsSaidThatNobodySet) {
+  Settings settings;
+  settings.mode = Mode::Guard;
+  settings.margin = -1.0;
+  EXPECT_TRUE(mentions(settings, "margin"));
+  EXPECT_FALSE(mentions(settings, "left and right"));
+}
+
 TEST(GuardSettings, EveryContradictionIsNamed) {
   const std::vector<std::pair<const char*, std::function<void(Settings&)>>> table = {
       {"footprint must be a list", [](Settings& s) { s.footprint.text = "[[1, 2, 3]]"; }},
