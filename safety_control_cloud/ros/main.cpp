@@ -3,6 +3,7 @@
 #include <ros/ros.h>
 #include <ros/xmlrpc_manager.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -49,6 +50,16 @@ void run() {
   }
 }
 
+constexpr const char* usage =
+    "Usage: rosrun safety_control_cloud safety_control_node [_PARAMETER:=VALUE]... [TOPIC:=OTHER]...\n\n"
+    "Stops a robot before what its depth camera sees, and in doubt. It commands the robot from its start on.\n"
+    "Its topics and parameters: safety_control_cloud/README.md and config/README.md, of the package. roslaunch\n"
+    "safety_control_cloud safety_control.launch starts it with a file of parameters, and again if it ends.\n";
+
+bool asks_for_help(int argc, char** argv) {
+  return std::any_of(argv + 1, argv + argc, [](const std::string& word) { return word == "-h" || word == "--help"; });
+}
+
 /// Whether the command line is one to start with; else it says what was meant.
 bool is_fit(int argc, char** argv) {
   const auto problems = safety_control_cloud::parameters_without_underscore(argc, argv);
@@ -59,6 +70,7 @@ bool is_fit(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (asks_for_help(argc, argv)) return std::fputs(usage, stdout) < 0 ? EXIT_FAILURE : EXIT_SUCCESS;
   if (!is_fit(argc, argv)) return EXIT_FAILURE;
   safety_control_cloud::keep_memory_for_reuse();
   ros::init(argc, argv, "safety_control_cloud", ros::init_options::NoSigintHandler);

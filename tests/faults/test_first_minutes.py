@@ -48,6 +48,16 @@ def test_a_parameter_without_its_underscore_is_told_from_a_topic(master):
         assert "the parameter is set by _danger_distance:=0.7" in node.output()
 
 
+def test_who_asks_for_help_gets_it_and_commands_no_robot(master):
+    commands = Heard("/cmd_vel_mux/input/teleop", Twist)
+    for word in ("-h", "--help"):
+        with node_under_test(word) as node:
+            assert node.wait(10.0) == 0
+            assert "safety_control_node [_PARAMETER:=VALUE]" in node.output()
+    assert commands.all() == []
+    commands.close()
+
+
 def test_a_guard_that_would_hear_itself_does_not_start(master):
     for remapping in (("cmd_vel_in:=/cmd_vel",), ("cmd_vel:=/wanted", "cmd_vel_in:=wanted")):
         with node_under_test("_mode:=guard", *remapping) as node:
