@@ -22,7 +22,7 @@ ROOMS_OF_CORE = {
 }
 KERNEL_OF_LOOK = "look/look.cpp"  # the one door from the room into its kernel
 ROOMS_OF_ROS = {
-    "time": set(), "graph": set(), "command": {"time", "graph"}, "input": {"time", "graph"}, "memory": {"time"}, "output": {"time"},
+    "time": set(), "graph": {"time"}, "command": {"time", "graph"}, "input": {"time", "graph"}, "memory": {"time"}, "output": {"time"},
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)

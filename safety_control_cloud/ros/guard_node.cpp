@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "command/leaving.hpp"
+#include "graph/named_in.hpp"
 #include "input/footprint_message.hpp"
 #include "input/wanted.hpp"
 #include "output/guard_messages.hpp"
@@ -33,7 +34,7 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
                      const Settings& settings)
     : control_(settings),
       channels_(channels_of(settings, handle, private_handle)),
-      commands_(handle, "cmd_vel", [this] { on_quiet(); }),
+      commands_(handle, named_in(handle, "cmd_vel"), [this] { on_quiet(); }),
       base_(settings.base_frame),
       reports_(private_handle, log_),
       lost_things_(private_handle, LostThings::of(control_, reports_),

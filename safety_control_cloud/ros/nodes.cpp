@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "graph/named_in.hpp"
 #include "guard_node.hpp"
 #include "parameters.hpp"
 #include "safety_node.hpp"
@@ -13,8 +14,8 @@ namespace {
 
 /// A guard would take its own answers for what is wanted, as fast as it can answer.
 void refuse_to_hear_oneself(const ros::NodeHandle& handle) {
-  const std::string wanted = handle.resolveName("cmd_vel_in");
-  if (wanted != handle.resolveName("cmd_vel")) return;
+  const std::string wanted = handle.resolveName(named_in(handle, "cmd_vel_in"));
+  if (wanted != handle.resolveName(named_in(handle, "cmd_vel"))) return;
   throw std::runtime_error("cmd_vel_in and cmd_vel are both " + wanted +
                            ": remap one of them, so that the commands come to the base through this node alone");
 }

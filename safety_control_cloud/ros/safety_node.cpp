@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "command/leaving.hpp"
+#include "graph/named_in.hpp"
 #include "output/messages.hpp"
 #include "time/moments.hpp"
 
@@ -14,9 +15,9 @@ namespace safety_control_cloud {
 SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Delivery delivery,
                        const Settings& settings)
     : control_(settings),
-      camera_(sensors_of(settings).front(), handle, private_handle, handle.resolveName("output")),
-      commands_(handle, "cmd_vel_mux/input/teleop", [this] { on_quiet(); }),
-      output_(handle.advertise<sensor_msgs::PointCloud2>("output", 1)),
+      camera_(sensors_of(settings).front(), handle, private_handle, handle.resolveName(named_in(handle, "output"))),
+      commands_(handle, named_in(handle, "cmd_vel_mux/input/teleop"), [this] { on_quiet(); }),
+      output_(handle.advertise<sensor_msgs::PointCloud2>(named_in(handle, "output"), 1)),
       reports_(private_handle, log_),
       lost_things_(private_handle, LostThings::of(control_, reports_),
                    [this](const std::string& line) { log_.warn(line); }),

@@ -14,6 +14,7 @@ from commanders import ITS_END, first, is_doubted, mean_speed
 from listening import Heard
 from robot import AGAIN, GRACE, NODE, SOURCE_TIMEOUT, START, after, eventually, is_sending, robot_with
 from scenes import always, cloud_of, hall, points_of, wall
+from sensor_msgs.msg import PointCloud2
 from std_msgs.msg import Float64
 
 from safety_control_cloud.processes import process
@@ -81,6 +82,17 @@ def test_the_last_command_of_a_nodelet_that_is_unloaded_is_zero(master):
             loaded.send(signal.SIGINT)
             assert robot.commands.until_silence()[-1].linear.x == 0.0
             assert manager.exit_code is None, manager.output()
+
+
+def test_a_nodelet_has_its_own_topics_wherever_its_manager_lives(master):
+    """The managers of openni2 and RealSense live in the camera's namespace."""
+    with process(["rosrun", "nodelet", "nodelet", "manager", "__name:=manager", "__ns:=/camera"]) as manager:
+        load = ["rosrun", "nodelet", "nodelet", "load", "safety_control_cloud/SafetyControlNodelet", "/camera/manager"]
+        with process([*load, "__name:=safety_control_cloud", "output:=cropped"]), robot_with(manager, hall()) as robot:
+            robot.drives(within=START)
+            cropped = Heard("/cropped", PointCloud2)
+            eventually(cropped.all)
+            cropped.close()
 
 
 def test_a_nodelet_with_unfit_parameters_says_all_that_is_wrong(master):

@@ -4,6 +4,7 @@
 #include <image_transport/camera_common.h>
 #include <image_transport/transport_hints.h>
 
+#include "../graph/named_in.hpp"
 #include "cloud_input.hpp"
 #include "depth_input.hpp"
 #include "scan_input.hpp"
@@ -31,7 +32,7 @@ std::string topic_of(const SensorSettings& sensor) {
 std::unique_ptr<Input> input_of(const SensorSettings& sensor, ros::NodeHandle& handle,
                                 const ros::NodeHandle& private_handle, Delivery delivery, const OnArrival& on_arrival,
                                 const Warn& warn) {
-  const std::string topic = topic_of(sensor);
+  const std::string topic = named_in(handle, topic_of(sensor));
   switch (sensor.type) {
     case InputKind::Depth:
       return std::make_unique<DepthInput>(handle, private_handle, topic, delivery, on_arrival, warn);
@@ -45,7 +46,7 @@ std::unique_ptr<Input> input_of(const SensorSettings& sensor, ros::NodeHandle& h
 
 std::vector<Wanted> wanted_by(const SensorSettings& sensor, const ros::NodeHandle& handle,
                               const ros::NodeHandle& private_handle) {
-  const std::string topic = handle.resolveName(topic_of(sensor));
+  const std::string topic = handle.resolveName(named_in(handle, topic_of(sensor)));
   if (sensor.type == InputKind::Cloud) return {{topic, "sensor_msgs/PointCloud2"}};
   if (sensor.type == InputKind::Scan) return {{topic, "sensor_msgs/LaserScan"}};
   const auto transport = image_transport::TransportHints("raw", {}, private_handle).getTransport();

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "../graph/named_in.hpp"
 #include "poses.hpp"
 
 namespace safety_control_cloud {
@@ -23,7 +24,7 @@ OdometryInput::OdometryInput(ros::NodeHandle& handle, GuardControl& control,
     return;
   }
   subscriber_ = handle.subscribe<nav_msgs::Odometry>(
-      "odom", 10,
+      named_in(handle, "odom"), 10,
       boost::function<void(const ros::MessageEvent<nav_msgs::Odometry const>&)>(
           [this](const ros::MessageEvent<nav_msgs::Odometry const>& event) { on_message(event); }),
       nullptr, ros::TransportHints().tcpNoDelay());

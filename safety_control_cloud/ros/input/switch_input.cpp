@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "../graph/named_in.hpp"
 #include "switch_word.hpp"
 
 namespace safety_control_cloud {
@@ -37,14 +38,14 @@ SwitchInput::SwitchInput(ros::NodeHandle& handle, const SwitchSettings& settings
       on_switch_(std::move(on_switch)),
       on_gone_(std::move(on_gone)),
       handle_(handle),
-      publishers_(handle.resolveName(settings.topic), Connected::Self::Counts) {
+      publishers_(handle.resolveName(named_in(handle, settings.topic)), Connected::Self::Counts) {
   subscribe();
 }
 
 void SwitchInput::subscribe() {
   subscriber_.shutdown();
   subscriber_ = handle_.subscribe<topic_tools::ShapeShifter>(
-      settings_.topic, unread,
+      named_in(handle_, settings_.topic), unread,
       boost::function<void(const topic_tools::ShapeShifter::ConstPtr&)>(
           [this](const topic_tools::ShapeShifter::ConstPtr& message) { on_message(*message); }),
       nullptr, ros::TransportHints().tcpNoDelay());

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "../graph/named_in.hpp"
+
 namespace safety_control_cloud {
 namespace {
 
@@ -18,8 +20,9 @@ using Event = ros::MessageEvent<Message const>;
 
 template <class Message>
 ros::Subscriber subscribe(ros::NodeHandle& handle, std::function<void(const Event<Message>&)> on_event) {
-  return handle.subscribe<Message>("cmd_vel_in", 1, boost::function<void(const Event<Message>&)>(std::move(on_event)),
-                                   nullptr, ros::TransportHints().tcpNoDelay());
+  return handle.subscribe<Message>(named_in(handle, "cmd_vel_in"), 1,
+                                   boost::function<void(const Event<Message>&)>(std::move(on_event)), nullptr,
+                                   ros::TransportHints().tcpNoDelay());
 }
 
 /// The connections of latching publishers over which something was heard.
