@@ -46,12 +46,12 @@ class Forgiving {
       std::swap(lost[staying++], lost[i]);
     }
     lost.resize(staying);
-    rest_.size = size_of(lost) - leaving_ - hung_rest_.size;
+    rest_.size = size_of(lost) - leaving_ - hung_rest_.size - alone_rest_.size;
   }
 
   void drop_the_rest() {
-    const double gone = thing_.freed + rest_.past + hung_rest_.past;
-    const double all = thing_.freed + rest_.size + hung_rest_.size;
+    const double gone = thing_.freed + rest_.past + hung_rest_.past + alone_rest_.past;
+    const double all = thing_.freed + rest_.size + hung_rest_.size + alone_rest_.size;
     const bool is_most = gone >= nearly * all && gone >= few * (gone + leaving_);
     if (!(gone > 0.0) || !is_most) return;
     std::vector<Spot>& lost = thing_.lost;
@@ -95,7 +95,7 @@ class Forgiving {
 
   /// `i`: which of the lost it will be.
   void note_staying(const Spot& spot, std::size_t i) {
-    if (spot.hung_before) hung_rest_.size += double{spot.share};
+    if (&rest_with(spot) != &rest_) rest_with(spot).size += double{spot.share};
     if (spot.seen_past > 0) {
       rest_with(spot).past += double{spot.share};
     } else {
@@ -103,7 +103,7 @@ class Forgiving {
     }
   }
 
-  Rest& rest_with(const Spot& spot) { return spot.hung_before ? hung_rest_ : rest_; }
+  Rest& rest_with(const Spot& spot) { return spot.went_alone ? alone_rest_ : spot.hung_before ? hung_rest_ : rest_; }
 
   Remembered& thing_;
   const Pixels& picture_;
@@ -111,7 +111,7 @@ class Forgiving {
   const Axis& axis_;
   std::vector<Evidence> said_;  ///< of each of the lost
   bool between_rays_ = false, floor_between_ = false;
-  Rest rest_, hung_rest_;
+  Rest rest_, hung_rest_, alone_rest_;
   double leaving_ = 0.0;  ///< [m2] of those that stay
   std::vector<std::size_t> not_seen_past_;
 };

@@ -3,12 +3,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace safety_control_cloud {
 namespace {
 
 /// As many spots of a thing tell which one it is.
 constexpr std::size_t enough_spots = 24;
+/// A surface that is seen again lies no farther behind what was seen of it [m], noise and all.
+constexpr float as_near = 0.02f;
+
+using Vector = Eigen::Vector3f;
+
+Vector middle_of(const std::vector<Spot>& spots) {
+  Vector sum = Vector::Zero();
+  float all = 0.0f;
+  for (const Spot& spot : spots) sum += spot.share * spot.point.getVector3fMap(), all += spot.share;
+  return sum / all;
+}
 
 }  // namespace
 
@@ -24,6 +36,23 @@ Likeness likeness_of(const std::vector<Spot>& before, const Thing& now) {
   }
   const double all = static_cast<double>(std::max<std::size_t>(1, asked));
   return {static_cast<double>(close) / all, closeness / all};
+}
+
+/// Judged by what is seen aside of it least far.
+void note_what_went_alone(std::vector<Spot>& before, const Thing& now, float near) {
+  if (before.empty() || now.spots.empty()) return;
+  const Vector way = middle_of(now.spots) - middle_of(before);
+  for (Spot& spot : before) {
+    if (spot.point.z >= near) continue;
+    const Vector there = spot.point.getVector3fMap() + way;
+    float least = std::numeric_limits<float>::infinity(), behind = 0.0f;
+    for (const Spot& seen : now.spots) {
+      const Vector off = seen.point.getVector3fMap() - there;
+      const float aside = off.head<2>().squaredNorm();
+      if (aside < least) least = aside, behind = off.z();
+    }
+    spot.went_alone = behind > as_near;
+  }
 }
 
 }  // namespace safety_control_cloud

@@ -23,4 +23,8 @@ struct Likeness {
 
 Likeness likeness_of(const std::vector<Spot>& before, const Thing& now);
 
+/// Of a thing that is as large as it was, tells of what it showed nearer than `near` [m] whether that came along with
+/// the rest of it, or went alone: nothing is shown of it so near any more.
+void note_what_went_alone(std::vector<Spot>& before, const Thing& now, float near);
+
 }  // namespace safety_control_cloud

@@ -137,7 +137,7 @@ bool NearLoss::note(const NearSearch& search) {
   auto things = near_things(search);
   if (things.empty()) return false;
   place_on_ground(things, ground_, search.picture, search.outlook);
-  things_.update_by_little(std::move(things), search.picture, axis_of(search.outlook));
+  things_.update_by_little(std::move(things), search.picture, near_distance(), axis_of(search.outlook));
   return true;
 }
 

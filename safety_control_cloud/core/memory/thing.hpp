@@ -34,6 +34,7 @@ struct Spot {
   bool stands = false;                 ///< what is seen in this column reached down to the near floor
   bool foot_unseen = false;            ///< nothing farther away returned in this column below what is seen
   bool hung_before = false;            ///< until what is below it was hidden: it does not go with the rest of a thing
+  bool went_alone = false;             ///< the rest of the thing was still seen then: it does not go with that
   std::optional<Axis> axis{};          ///< of the camera then; none: of the first that asks
   std::optional<double> lost_since{};  ///< [s] steady
 

@@ -40,6 +40,11 @@ void append(std::vector<Spot>& all, std::vector<Spot> some) {
   all.resize((all.size() + 1) / 2);
 }
 
+void drop_what_came_along(std::vector<Spot>& spots) {
+  const auto came_along = [](const Spot& spot) { return !spot.went_alone; };
+  spots.erase(std::remove_if(spots.begin(), spots.end(), came_along), spots.end());
+}
+
 }  // namespace
 
 void ThingsMemory::restore(std::vector<Remembered> things, float blind_range) {
@@ -55,7 +60,7 @@ void ThingsMemory::scale_sizes(double by) {
 
 void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor,
                           const Backdrop& backdrop, float near, const Axis& axis) {
-  auto before = follow(std::move(seen));
+  auto before = follow(std::move(seen), near);
   for (std::size_t i = 0; i < things_.size(); ++i) lose(things_[i], std::move(before[i]));
   unlearn_blind_range();
   const bool rest = !axis_ || are_same(*axis_, axis, rests);
@@ -83,8 +88,8 @@ void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const 
 
 /// Nothing goes for what is seen behind it, and nothing vanishes: what does not return counts as seen until a picture
 /// says more, but where something else is seen now.
-void ThingsMemory::update_by_little(std::vector<Thing> seen, const Pixels& picture, const Axis& axis) {
-  auto before = follow(std::move(seen));
+void ThingsMemory::update_by_little(std::vector<Thing> seen, const Pixels& picture, float near, const Axis& axis) {
+  auto before = follow(std::move(seen), near);
   const bool rest = !axis_ || are_same(*axis_, axis, rests);
   const auto is_there = [&](const Spot& spot) {
     return rest && spot.axis && are_same(*spot.axis, axis, same_axis) && evidence_of(spot, picture) == Evidence::There;
@@ -152,7 +157,7 @@ void ThingsMemory::unlearn_blind_range() {
 
 /// Which of the things that were seen are those that are seen now: the ones that have most in common. Of each thing
 /// what was seen before, unless it has moved as a whole.
-std::vector<Thing> ThingsMemory::follow(std::vector<Thing> seen) {
+std::vector<Thing> ThingsMemory::follow(std::vector<Thing> seen, float near) {
   std::vector<Thing> before;
   for (Remembered& thing : things_) {
     before.push_back(std::exchange(thing.seen, Thing{}));
@@ -181,7 +186,8 @@ std::vector<Thing> ThingsMemory::follow(std::vector<Thing> seen) {
     const double size_before = before[best].size;
     const bool same =
         now.size > same_size * size_before && size_before > same_size * now.size && now.size > same_size * thing.size;
-    if (same && thing.lost.empty()) before[best].spots.clear();
+    if (same) note_what_went_alone(before[best].spots, now, near);
+    if (same && thing.lost.empty()) drop_what_came_along(before[best].spots);
     thing.size = std::max(thing.size, now.size);
     thing.at_border = now.at_border;
     thing.is_slight = now.is_slight;

@@ -31,7 +31,7 @@ class ThingsMemory {
   void update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor, const Backdrop& backdrop,
               float near, const Axis& axis);
   /// In a picture most of which returns nothing, only what is seen counts: what is not may be there all the same.
-  void update_by_little(std::vector<Thing> seen, const Pixels& picture, const Axis& axis);
+  void update_by_little(std::vector<Thing> seen, const Pixels& picture, float near, const Axis& axis);
   /// Drops what has been lost for too long, and nothing else.
   void forget_old(const Patience& patience);
 
@@ -54,7 +54,7 @@ class ThingsMemory {
   void restore(std::vector<Remembered> things, float blind_range);
 
  private:
-  std::vector<Thing> follow(std::vector<Thing> seen);
+  std::vector<Thing> follow(std::vector<Thing> seen, float near);
   static void lose(Remembered& thing, Thing before);
   static void stay_in_hole(Remembered& thing, std::vector<Spot> spots);
   void note_vanished(Remembered& thing, const Pixels& picture, float near);
