@@ -12,6 +12,12 @@ namespace {
 /// [s] in which a node that runs does something.
 double limit(const Settings& settings) { return std::max(settings.source_timeout, 2.0 / settings.publish_rate); }
 
+/// [s] in which a guard that runs does something, or what is asked meanwhile holds anyway.
+double limit_of_wishes(const Settings& settings) {
+  return std::max(settings.command_timeout,
+                  2.0 * std::min(1.0 / settings.publish_rate, settings.stopping.sensor_period));
+}
+
 }  // namespace
 
 void OwnGap::beat(const Instant& now, const Settings& settings) {
@@ -19,6 +25,7 @@ void OwnGap::beat(const Instant& now, const Settings& settings) {
     gap_ = now.steady - *last_;
     went_on_ = now;
   }
+  if (last_ && now.steady - *last_ > limit_of_wishes(settings)) hears_since_ = now.steady;
   last_ = now.steady;
 }
 
@@ -30,7 +37,7 @@ std::optional<Doubt> OwnGap::doubt_about(double stamp, const Instant& now, const
 }
 
 bool OwnGap::has_gone_on_within(double seconds, const Instant& now) const {
-  return went_on_ && now.steady - went_on_->steady < seconds;
+  return hears_since_ && now.steady - *hears_since_ < seconds;
 }
 
 }  // namespace safety_control_cloud

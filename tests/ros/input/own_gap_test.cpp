@@ -34,6 +34,20 @@ TEST(OwnGap, ACloudFromBeforeTheNodeWentOnIsDoubtedForAShortTime) {
   EXPECT_FALSE(gap.doubt_about(1012.3, {12.6, 1012.6}, limit)) << "by a clock that runs late";
 }
 
+/// However patient it is with its camera.
+TEST(OwnGap, WhatWasAskedOfWhoStoodStillForLongerThanACommandHoldsMayHaveWaited) {
+  Settings patient = limit;
+  patient.source_timeout = 10.0;
+  patient.command_timeout = 0.5;
+  for (const double stood : {0.4, 0.6, 4.0}) {
+    OwnGap gap;
+    gap.beat({10.0, 1010.0}, patient);
+    gap.beat({10.0 + stood, 1010.0 + stood}, patient);
+    EXPECT_EQ(gap.has_gone_on_within(0.5, {10.1 + stood, 1010.1 + stood}), stood > 0.5) << stood;
+    EXPECT_FALSE(gap.doubt_about(1010.0, {10.1 + stood, 1010.1 + stood}, patient)) << stood;
+  }
+}
+
 TEST(OwnGap, KnowsForHowLongTheNodeHasGoneOn) {
   OwnGap gap;
   gap.beat({10.0, 1010.0}, limit);
