@@ -87,7 +87,9 @@ bool GuardControl::recall(const std::vector<std::string>& remembered) {
 }
 
 double GuardControl::until_silent(double now) const {
-  double soonest = std::numeric_limits<double>::infinity();
+  double soonest = closed_.until_silent(now);
+  const double left = wanted_ ? settings_.command_timeout - (now - wanted_at_) : 0.0;
+  if (left > 0.0) soonest = std::min(soonest, left);
   for (const GuardSensor& sensor : sensors_) soonest = std::min(soonest, sensor.until_silent(now));
   return soonest;
 }

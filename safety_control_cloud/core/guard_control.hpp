@@ -90,7 +90,8 @@ class GuardControl {
   /// Goes on with what another process remembered; false if it is not legible.
   bool recall(const std::vector<std::string>& remembered);
 
-  /// [s] until the next sensor counts as silent; infinite if none will.
+  /// [s] until the next sensor or switch counts as silent, or what is wanted does not hold any more; infinite if none
+  /// will.
   double until_silent(double now) const;
 
   /// [s] after which there is to be a new answer, though nobody says anything: data grow older, and the law counts on

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "closed_edges.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "../text/words.hpp"
 
 namespace safety_control_cloud {
@@ -38,6 +41,15 @@ void ClosedEdges::reset() {
     for (auto& [edge, word] : state.words)
       if (word.is_left) word = {};
   }
+}
+
+double ClosedEdges::until_silent(double now) const {
+  double soonest = std::numeric_limits<double>::infinity();
+  for (const State& state : states_) {
+    const double left = state.spoke_at ? state.settings.timeout - (now - *state.spoke_at) : 0.0;
+    if (left > 0.0) soonest = std::min(soonest, left);
+  }
+  return soonest;
 }
 
 std::vector<Known> ClosedEdges::known_at(double now, double release_time) const {

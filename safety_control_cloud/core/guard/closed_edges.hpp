@@ -28,6 +28,9 @@ class ClosedEdges {
   /// What speaks against a switch that its messages do not tell; none: nothing any more.
   void note_outside(std::size_t which, std::optional<Doubt> doubt) { states_[which].outside = std::move(doubt); }
 
+  /// [s] until the next counts as silent; infinite if none will.
+  double until_silent(double now) const;
+
   /// Of each switch that closes an edge, and of each in doubt, as of a sensor; `release_time` [s] is how long one is
   /// held.
   std::vector<Known> known_at(double now, double release_time) const;
