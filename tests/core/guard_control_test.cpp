@@ -111,6 +111,29 @@ TEST(GuardControl, AnOldCommandIsNone) {
   EXPECT_FALSE(answer.stuck) << "nobody wants anything";
 }
 
+TEST(GuardControl, TellsWhenACommandHoldsNoMore) {
+  Settings patient = guard_settings();
+  patient.source_timeout = 3.0;
+  GuardedRobot robot(patient);
+  robot.drives(Scene(), {0.2, 0.0, 0.0});
+  robot.pass(0.1);
+  EXPECT_NEAR(robot.control.until_silent(robot.now.steady), patient.command_timeout - 0.1, 1e-9);
+  robot.pass(0.5);
+  EXPECT_GT(robot.control.until_silent(robot.now.steady), 1.0) << "of the camera";
+}
+
+/// Without looking at anything, as for an exception.
+TEST(GuardControl, WhoIsToStandStandsAndSaysWhy) {
+  GuardedRobot robot;
+  robot.drives(Scene(), {0.2, 0.0, 0.0});
+  const Guarded& answer = robot.control.stand(robot.now, {Cause::Unreadable, "for a test"});
+  EXPECT_EQ(answer.given.linear, (std::array<double, 3>{}));
+  EXPECT_EQ(answer.cause, Cause::Unreadable);
+  EXPECT_EQ(answer.reason, "for a test");
+  EXPECT_TRUE(answer.stuck);
+  EXPECT_EQ(robot.wants({0.2, 0.0, 0.0}).factor, 1.0) << "the next answer is its own";
+}
+
 TEST(GuardControl, AnAbsurdCommandIsZeroWithACause) {
   GuardedRobot robot;
   robot.see(Scene());

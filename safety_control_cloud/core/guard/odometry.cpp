@@ -62,6 +62,7 @@ void Odometry::note_pose(double stamp, const Pose2& pose, double fastest, double
 void Odometry::forget() {
   if (!noted_.empty()) ++breaks_;
   noted_.clear();
+  tells_twists_ = false;  // it may be another's by now
   since_ = std::numeric_limits<double>::infinity();
 }
 
