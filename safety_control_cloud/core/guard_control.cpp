@@ -139,7 +139,7 @@ OverrideReply GuardControl::ask_override(const OverrideWish& wish, const Instant
   return override_.ask(wish, settings_, doubt_of(known_at(now)), now.steady);
 }
 
-/// One sensor that is not required, and in doubt, is as good as not there.
+/// One sensor that is not required, and in doubt, is as good as not there; but not for a change of the settings.
 std::vector<Known> GuardControl::known_at(const Instant& now) {
   std::vector<Known> all;
   std::vector<bool> shows(sensors_.size(), false);
@@ -156,7 +156,7 @@ std::vector<Known> GuardControl::known_at(const Instant& now) {
       last_.doubts.push_back(
           words(sensor.name(), ": ", name_of(known.lost->cause), ", before what is known to stand there"));
     const bool is_absent = known.doubt || (known.lost && known.lost->cause == Cause::Blind);
-    if (is_absent && !sensor.is_required()) continue;
+    if (is_absent && !sensor.is_required() && !sensor.is_awaited()) continue;
     if (outside_) known.doubt = outside_;
     shows[i] = sensor.shows() && !known.is_placed;
     all.push_back(std::move(known));

@@ -58,6 +58,11 @@ class GuardSensor {
   double taken_at(const Origin& origin, const Instant& now) const;
 
   /// Whether what it lets one know is its latest look.
+  /// Whether it was sound until the settings changed, and has not looked since.
+  bool is_awaited() const {
+    return taken_ && collected_ == Collected::Nothing && std::holds_alternative<Seen>(sensor_.answer());
+  }
+
   bool shows() const { return collected_ == Collected::Now; }
 
   /// Where it looked last; none: it shows nothing.

@@ -149,6 +149,22 @@ TEST(GuardSensors, AnAnswerIsDueBeforeTheFastestWouldLookAgain) {
   EXPECT_NEAR(RobotWithSensors(settings).control.answer_period(), 0.01, 1e-9) << "no more than a hundred a second";
 }
 
+/// It looks seldom, and nobody requires it; what it showed is not forgotten for a change of something else.
+TEST(GuardSensors, AfterALiveChangeOneThatIsNotRequiredIsWaitedForToo) {
+  Settings settings = with_sensors();
+  settings.memory_distance = 0.0;
+  RobotWithSensors robot(settings);
+  robot.behind = Scene({post(0.45f, 0.0f)});
+  ASSERT_LT(robot.drives({-0.5, 0.0, 0.0}).factor, 0.8);
+  settings.noise = 0.011;
+  robot.control.adopt(settings);
+  robot.rear_shows = false;
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(robot.drives_on({-0.2, 0.0, 0.0}).factor, 0.0) << i;
+  EXPECT_EQ(robot.wants({-0.2, 0.0, 0.0}).cause, Cause::NoCloud);
+  for (int i = 0; i < 20; ++i) robot.drives_on({-0.2, 0.0, 0.0});
+  EXPECT_GT(robot.wants({-0.2, 0.0, 0.0}).factor, 0.0) << "silent by now, it is as good as not there";
+}
+
 TEST(GuardSensors, ALiveChangeHoldsForAllAndLeavesEachItsOwn) {
   RobotWithSensors robot;
   ASSERT_EQ(robot.drives({0.5, 0.0, 0.0}).factor, 1.0);
