@@ -89,10 +89,10 @@ double GuardMemory::looks_since(const Went& went, const Instant& now) {
   return std::min(went.odometry.goes_on_since(), now.ros);
 }
 
-/// Who waits for looks since another break, goes on to wait: that moment may have been far ahead.
+/// Who waits already has nothing placed that another break could displace.
 bool GuardMemory::note_breaks(const Went& went, const Instant& now) {
   if (went.odometry.breaks() == breaks_) return false;
-  if (jumped_ || (by_odometry_ && out_of_sight_.holds_any(now.steady))) jumped_ = looks_since(went, now);
+  if (by_odometry_ && out_of_sight_.holds_any(now.steady)) jumped_ = looks_since(went, now);
   breaks_ = went.odometry.breaks();
   if (!by_odometry_) return false;
   go_on_as_told(now);
@@ -186,9 +186,11 @@ std::vector<KnownPlace> GuardMemory::resting(const Outlook& sensor, const Wherea
   return out_of_sight_.resting(sensor, robot, now.steady);
 }
 
-/// Not every sensor that is required has looked since odometry goes on.
-bool GuardMemory::waits_for(const std::vector<GuardSensor>& sensors) const {
-  return jumped_ && std::any_of(sensors.begin(), sensors.end(), [this](const GuardSensor& sensor) {
+/// Not every sensor that is required has looked since odometry goes on. What was to be placed then is forgotten by and
+/// by.
+bool GuardMemory::waits_for(const std::vector<GuardSensor>& sensors, const Instant& now) const {
+  return jumped_ && !(now.ros - *jumped_ > time_) &&
+         std::any_of(sensors.begin(), sensors.end(), [this](const GuardSensor& sensor) {
            return sensor.is_required() && !sensor.has_looked_since(*jumped_);
          });
 }
@@ -201,7 +203,7 @@ std::optional<Doubt> GuardMemory::doubt_at(const Instant& now, const Went& went,
   if (is_placed_by_odometry && went.odometry.breaks() != breaks_)
     return in_doubt("odometry jumped or paused, and what is out of sight cannot be placed");
   if (recalled_) return in_doubt("no odometry, and what was out of sight before this start cannot be placed");
-  if (waits_for(sensors)) return in_doubt("odometry jumped or paused, and not every sensor has looked since");
+  if (waits_for(sensors, now)) return in_doubt("odometry jumped or paused, and not every sensor has looked since");
   if (is_placed_by_odometry && !(went.odometry.is_fresh(now.ros) && went.odometry.pose_at(now.ros)))
     return in_doubt("no odometry, and what is out of sight cannot be placed");
   return std::nullopt;

@@ -73,7 +73,7 @@ class GuardMemory {
   static Drift foretold_at(double stamp, const Went& went, const Instant& now);
   Pose2 way_during(const Look& look, const Went& went, const Instant& now) const;
   std::optional<Whereabouts> whereabouts_at(double age, const Went& went, const Instant& now) const;
-  bool waits_for(const std::vector<GuardSensor>& sensors) const;
+  bool waits_for(const std::vector<GuardSensor>& sensors, const Instant& now) const;
   std::optional<Doubt> doubt_at(const Instant& now, const Went& went, const std::vector<GuardSensor>& sensors) const;
 
   struct Latest {

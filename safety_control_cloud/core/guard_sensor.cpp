@@ -77,6 +77,7 @@ void GuardSensor::adopt(const Settings& settings, const Guard& guard) {
 std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origin, const Instant& now,
                                      const Given& given) {
   last_arrival_ = now.steady;
+  last_taken_ = taken_at(origin, now);
   note_loss_ahead();
   is_explained_ = false;
   if (taken_ && collected_ == Collected::Nothing) collected_ = Collected::Before;
@@ -251,6 +252,11 @@ bool GuardSensor::misses(const Point2& place, const Heights& heights, double off
   const auto is_above = [up = taken_->field.top](const Point& there) { return there.y < up * there.z; };
   const auto is_below = [down = taken_->field.bottom](const Point& there) { return there.y > down * there.z; };
   return (is_above(low) && is_above(high)) || (is_below(low) && is_below(high));
+}
+
+bool GuardSensor::has_looked_since(double stamp) const {
+  const bool is_blind = was_sound_ && std::holds_alternative<Doubt>(sensor_.answer());
+  return taken_ && (is_blind ? last_taken_ : taken_->arrival.ros - taken_->time_to_arrive) >= stamp;
 }
 
 double GuardSensor::until_silent(double now) const {

@@ -51,18 +51,19 @@ class GuardSensor {
   /// What it lets one know, given where the robot went.
   Known known_at(const Instant& now, const Odometry& odometry, const Given& given) const;
 
-  /// Whether what it shows was taken after this stamp [s, ROS].
-  bool has_looked_since(double stamp) const { return taken_ && taken_->arrival.ros - taken_->time_to_arrive >= stamp; }
+  /// Whether what it shows was taken after this stamp [s, ROS], or that it is blind, so that only away from where it
+  /// looks is open.
+  bool has_looked_since(double stamp) const;
 
   /// [s, ROS] When a reading was taken that comes now, as far as its stamp is believed.
   double taken_at(const Origin& origin, const Instant& now) const;
 
-  /// Whether what it lets one know is its latest look.
   /// Whether it was sound until the settings changed, and has not looked since.
   bool is_awaited() const {
     return taken_ && collected_ == Collected::Nothing && std::holds_alternative<Seen>(sensor_.answer());
   }
 
+  /// Whether what it lets one know is its latest look.
   bool shows() const { return collected_ == Collected::Now; }
 
   /// Where it looked last; none: it shows nothing.
@@ -125,6 +126,7 @@ class GuardSensor {
   bool is_explained_ = false;           ///< what is lost in it, or why it is blind
   bool was_sound_ = false;              ///< nothing but what it cannot see any more speaks against it
   std::optional<double> last_arrival_;  ///< [s] steady
+  double last_taken_ = 0.0;             ///< [s] ROS
   std::optional<Doubt> outside_;
 };
 

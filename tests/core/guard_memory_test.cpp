@@ -103,6 +103,51 @@ TEST(GuardMemory, WhatThePictureAheadDoesNotShowCountsWhileOdometryHasNotSpokenA
   }
 }
 
+/// Two publish it in turn, and each cloud takes as long to come as a break.
+TEST(GuardMemory, WhoHearsOdometryThatNeverGoesOnDoesNotWaitForItForEver) {
+  RobotWithOdometry robot;
+  robot.stamp_behind = 0.05;
+  robot.passes(0.5, with_post);
+  robot.has_odometry = false;
+  for (int i = 0; i < 100; ++i) {
+    robot.control.note_odometry(robot.now.ros, {{i % 2 == 0 ? 0.0 : 5.0, 0.0}, 0.0}, {});
+    robot.passes(0.05, robot.hall);
+  }
+  EXPECT_EQ(robot.wants({-0.1, 0.0, 0.0}).cause, Cause::Seen) << robot.wants({}).reason;
+}
+
+/// It cannot look until the robot backs off.
+TEST(GuardMemory, ABlindCameraIsNotWaitedForAfterAPauseOfOdometry) {
+  RobotWithOdometry robot;
+  Scene blind;
+  blind.blank_farther_than(0.0f);
+  robot.passes(0.5, Scene({wall_before(0.25)}));
+  robot.passes(0.5, blind);
+  ASSERT_GT(robot.wants({-0.1, 0.0, 0.0}).factor, 0.0) << robot.wants({}).reason;
+  robot.has_odometry = false;
+  robot.passes(0.45, blind);
+  robot.has_odometry = true;
+  robot.passes(0.5, blind);
+  EXPECT_GT(robot.wants({-0.1, 0.0, 0.0}).factor, 0.0) << robot.wants({}).reason;
+  EXPECT_EQ(robot.wants({0.1, 0.0, 0.0}).factor, 0.0);
+}
+
+/// One looks seldom, and breaks come oftener.
+TEST(GuardMemory, NobodyWaitsLongerForASensorThanWhatWasToBePlacedIsRemembered) {
+  Settings settings = remembering();
+  settings.memory_time = 2.0;
+  settings.sensors = {{"front", InputKind::Cloud, "front", true, {}},
+                      {"rear", InputKind::Cloud, "rear", true, {{"source_timeout", 10.0}}}};
+  RobotWithOdometry robot(settings);
+  robot.see(robot.hall.view(), xtion(), 1);
+  robot.passes(0.5, with_post);
+  robot.pose.place.x += 5.0;
+  robot.passes(1.0, robot.hall);
+  ASSERT_EQ(robot.wants({-0.1, 0.0, 0.0}).cause, Cause::NoOdometry);
+  robot.passes(1.5, robot.hall);
+  EXPECT_EQ(robot.wants({-0.1, 0.0, 0.0}).cause, Cause::Seen) << robot.wants({}).reason;
+}
+
 /// What it was told until the next look counts.
 TEST(GuardMemory, WhoDrivesWhileOdometryJumpsHasGoneOn) {
   RobotWithOdometry robot;
