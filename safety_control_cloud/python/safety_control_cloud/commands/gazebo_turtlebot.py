@@ -19,22 +19,21 @@ def main(argv: list[str]) -> int:
     parser.add_argument("--wheels", default="driver", choices=sorted(LIMITS),
                         help="with the driver's acceleration limits, or obeying at once as Gazebo's own")
     arguments = parser.parse_args(without_remappings(argv[1:]))
-    import rospy  # after the arguments: --help needs Python alone
-
-    from ..gazebo_ros import MISSING
+    from ..gazebo_ros import MISSING  # after the arguments: --help needs Python alone
     from ..simulation.furniture import furniture_of
 
     try:
         furniture = furniture_of(world_file(arguments.world))
         from ..nodes.gazebo_turtlebot import GazeboTurtlebot
+        from ..nodes.life import Life
     except (FileNotFoundError, ValueError, ParseError) as error:
         return _complain(error)
     except ModuleNotFoundError as missing:
         if not str(missing.name).startswith("gazebo_msgs"):
             raise
         return _complain(MISSING)
-    rospy.init_node("turtlebot_sim")
-    GazeboTurtlebot(furniture, LIMITS[arguments.wheels]).run()
+    life = Life("turtlebot_sim")
+    GazeboTurtlebot(furniture, LIMITS[arguments.wheels]).run(life)
     return 0
 
 

@@ -12,6 +12,7 @@ from .arguments import not_negative, picture_size, positive, yes
 from .remappings import without_remappings
 
 if TYPE_CHECKING:
+    from ..nodes.life import Life
     from ..nodes.turtlebot_sim import TurtlebotSim
     from ..simulation.world import World
 
@@ -38,6 +39,7 @@ def main(argv: list[str]) -> int:
     import rospy  # after the arguments: --help needs Python alone
 
     try:
+        from ..nodes.life import Life
         from ..nodes.turtlebot_sim import Options, TurtlebotSim
         from ..simulation.sensor import Xtion
         from ..simulation.turtlebot import TurtleBot
@@ -48,16 +50,16 @@ def main(argv: list[str]) -> int:
         print("turtlebot_sim: this needs MuJoCo, which scripts/setup installs beside the package", file=sys.stderr)
         return 2
 
-    rospy.init_node("turtlebot_sim")
+    life = Life("turtlebot_sim")
     rospy.set_param("/use_sim_time", True)
     xtion = Xtion(*arguments.size, rate=arguments.camera_rate)
     seed = None if arguments.no_noise else arguments.seed
     robot = TurtleBot(World.load(arguments.world, xtion), LIMITS[arguments.wheels], seed)
     simulator = TurtlebotSim(robot, Options(arguments.rate, arguments.depth_encoding, seed))
     if arguments.viewer:
-        _run_in_window(simulator, robot.world)
+        _run_in_window(simulator, robot.world, life)
     else:
-        simulator.run()
+        simulator.run(life)
     return 0
 
 
@@ -69,7 +71,7 @@ def _camera_rate(text: str) -> float:
     return rate
 
 
-def _run_in_window(simulator: TurtlebotSim, world: World) -> None:
+def _run_in_window(simulator: TurtlebotSim, world: World, life: Life) -> None:
     import mujoco.viewer  # needs a display
 
     from ..simulation.robot import BODY, GROUP
@@ -78,7 +80,7 @@ def _run_in_window(simulator: TurtlebotSim, world: World) -> None:
         window.opt.geomgroup[GROUP] = 1
         window.cam.type, window.cam.trackbodyid = mujoco.mjtCamera.mjCAMERA_TRACKING, world.model.body(BODY).id
         window.cam.distance, window.cam.azimuth, window.cam.elevation = 4.0, 25.0, -25.0
-        simulator.run(window.sync)
+        simulator.run(life, window.sync)
 
 
 if __name__ == "__main__":

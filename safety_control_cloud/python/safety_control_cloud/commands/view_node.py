@@ -31,18 +31,19 @@ def main(argv: list[str]) -> int:
         return UNUSABLE
     import rospy  # after the arguments: --help needs Python alone
 
+    from ..nodes.life import Life
     from ..nodes.view import Viewer
     from ..view.sink import into_file, to_browsers
 
-    rospy.init_node("safety_view")
+    life = Life("safety_view")
     viewer = Viewer(given.node, given.rate, given.odometry)
     if given.rrd:
         with into_file(given.rrd, viewer.settings) as sink:
-            viewer.run(sink)
+            viewer.run(sink, life)
         return 0
     with to_browsers(viewer.settings, given.host, given.port, given.data_port) as (sink, address):
         rospy.loginfo(f"the safety node in a browser: {address}")
-        viewer.run(sink)
+        viewer.run(sink, life)
     return 0
 
 

@@ -19,6 +19,7 @@ from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
 from safety_control_cloud.msg import SafetyState
+from safety_control_cloud.nodes.life import Life
 
 SMALL = {
     "/tf": TFMessage,
@@ -48,11 +49,12 @@ class Recorder:
             rospy.Subscriber(topic, kind, self._on_message, topic, queue_size=100) for topic, kind in SMALL.items()
         ]
 
-    def run(self) -> None:
-        """Until ROS shuts down."""
-        while not rospy.is_shutdown():
+    def run(self, life: Life) -> None:
+        """For as long as the node lives."""
+        while life.goes_on():
             for topic, kind in LARGE.items():
-                self._take_one(topic, kind)
+                if life.goes_on():
+                    self._take_one(topic, kind)
             time.sleep(LARGE_EVERY)
 
     def close(self) -> None:
@@ -76,10 +78,10 @@ class Recorder:
 
 
 def main(path: Path) -> None:
-    rospy.init_node("safety_demo_bag")
+    life = Life("safety_demo_bag")
     recorder = Recorder(path)
     try:
-        recorder.run()
+        recorder.run(life)
     except rospy.ROSInterruptException:
         pass
     finally:

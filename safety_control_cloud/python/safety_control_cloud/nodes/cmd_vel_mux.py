@@ -10,6 +10,7 @@ from geometry_msgs.msg import Twist
 from std_msgs.msg import String
 
 from ..simulation.mux import Mux, Table
+from .life import Life
 
 _LOOK_EVERY = 0.02  # [s] for a holder that has fallen silent
 
@@ -31,8 +32,8 @@ class CmdVelMux:
             for one in table.inputs
         ]
 
-    def run(self) -> None:
-        while not rospy.is_shutdown():
+    def run(self, life: Life) -> None:
+        while life.goes_on():
             with self._lock:
                 self._announce(rospy.get_time())
             time.sleep(_LOOK_EVERY)  # real time: a simulated clock may stand still
@@ -52,5 +53,5 @@ class CmdVelMux:
 
 
 def run(table: Table) -> None:
-    rospy.init_node("cmd_vel_mux")
-    CmdVelMux(table).run()
+    life = Life("cmd_vel_mux")
+    CmdVelMux(table).run(life)

@@ -25,6 +25,7 @@ from ..simulation.furniture import Furniture
 from ..simulation.hull import touched
 from . import messages
 from .gazebo_models import DroppedBoxes, place_robot
+from .life import Life
 from .node_memory import NodeMemory
 from .orders import Orders
 from .rviz_tools import listen_to_rviz
@@ -54,10 +55,10 @@ class GazeboTurtlebot:
             place=partial(self._orders.put, self._place), drop=partial(self._orders.put, self._boxes.drop))
         rospy.Service("~reset", EmptyService, self._on_reset)
 
-    def run(self) -> None:
-        """Until ROS shuts down."""
+    def run(self, life: Life) -> None:
+        """For as long as the node lives."""
         last = rospy.get_time()
-        while not rospy.is_shutdown():
+        while life.goes_on():
             try:
                 self._orders.obey()
             except rospy.ServiceException as error:

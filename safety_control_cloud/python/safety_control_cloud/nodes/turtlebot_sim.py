@@ -21,6 +21,7 @@ from ..simulation.base import Pose
 from ..simulation.turtlebot import TICK, TurtleBot
 from . import messages
 from .camera_topics import CameraTopics
+from .life import Life
 from .node_memory import NodeMemory
 from .orders import Orders
 from .pace import Pace
@@ -49,12 +50,12 @@ class TurtlebotSim:
         self._camera = CameraTopics(robot, options.depth_encoding)
         self._subscribe()
 
-    def run(self, draw: Callable[[], None] = lambda: None) -> None:
-        """Until ROS shuts down; `draw` is called whenever the camera may take a picture."""
+    def run(self, life: Life, draw: Callable[[], None] = lambda: None) -> None:
+        """For as long as the node lives; `draw` is called whenever the camera may take a picture."""
         picture_every = round(1 / (self._robot.world.xtion.rate * TICK))
         pace = Pace(self._options.rate)
         for tick in count(1):
-            if rospy.is_shutdown():
+            if not life.goes_on():
                 break
             self._orders.obey()
             self._robot.step()

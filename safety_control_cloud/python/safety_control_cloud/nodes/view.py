@@ -18,6 +18,7 @@ from nav_msgs.msg import Odometry
 from safety_control_cloud import core
 from safety_control_cloud.msg import SafetyState
 from safety_control_cloud.nodes.camera_view import CameraView
+from safety_control_cloud.nodes.life import Life
 from safety_control_cloud.replay.places import matrix_of
 from safety_control_cloud.view.memory import spots_in
 from safety_control_cloud.view.moment import Guarded, Moment, Motion
@@ -43,9 +44,9 @@ class Viewer:
         if odometry:
             rospy.Subscriber(odometry, Odometry, self._on_odometry, queue_size=1)
 
-    def run(self, sink: Sink) -> None:
-        """Until ROS shuts down."""
-        while not rospy.is_shutdown():
+    def run(self, sink: Sink, life: Life) -> None:
+        """For as long as the node lives."""
+        while life.goes_on():
             with self._lock:
                 states, self._waiting = self._waiting, []
             for state in states:
