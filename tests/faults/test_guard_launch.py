@@ -10,7 +10,7 @@ from listening import Heard
 from robot import eventually
 from scenes import hall
 
-from safety_control_cloud.processes import process
+from safety_control_cloud.processes import OF_ROSLAUNCH, process
 
 LAUNCH = Path(__file__).resolve().parents[2] / "safety_control_cloud/launch/guard.launch"
 BASE = "/mobile_base/commands/velocity"
@@ -26,7 +26,7 @@ def obeys(base, command):
 
 
 def test_teleop_and_navigation_reach_the_base_through_the_guard_and_nothing_else_does(master):
-    with process(["roslaunch", str(LAUNCH), "footprint:=[[0.2, 0.2], [-0.2, 0.2], [-0.2, -0.2], [0.2, -0.2]]"]) as running:
+    with process(["roslaunch", str(LAUNCH), "footprint:=[[0.2, 0.2], [-0.2, 0.2], [-0.2, -0.2], [0.2, -0.2]]"], OF_ROSLAUNCH) as running:
         robot, base = Guarded(running), Heard(BASE, Twist)
         teleop, navigation = Repeated("/teleop/cmd_vel", Twist, 50.0), Repeated("/move_base/cmd_vel", Twist, 20.0)
         try:

@@ -12,7 +12,7 @@ import rosgraph
 from robot import AGAIN, GRACE, NODE, START, after, robot_with
 from scenes import hall, wall
 
-from safety_control_cloud.processes import process
+from safety_control_cloud.processes import OF_ROSLAUNCH, process
 
 LAUNCH = """
 <launch>
@@ -54,7 +54,7 @@ def test_the_last_command_of_a_node_that_is_ended_is_zero(robot, number):
 def test_a_node_that_is_killed_is_started_again_by_roslaunch_and_begins_with_zero(master, tmp_path):
     launch = tmp_path / "respawn.launch"
     launch.write_text(LAUNCH)
-    with process(["roslaunch", str(launch)]) as roslaunch, robot_with(roslaunch, hall()) as robot:
+    with process(["roslaunch", str(launch)], OF_ROSLAUNCH) as roslaunch, robot_with(roslaunch, hall()) as robot:
         robot.drives(within=START)
         first = pid_of(NODE)
         os.kill(first, signal.SIGSTOP)  # what it said last arrives before, not after it is killed

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
+import re
 import signal
 import subprocess
 import sys
@@ -6,8 +7,9 @@ from pathlib import Path
 
 import pytest
 from patience import eventually
+from tree import PYTHON, ROOT
 
-from safety_control_cloud.processes import ProcessError, process
+from safety_control_cloud.processes import OF_ROSLAUNCH, ProcessError, process
 
 STUBBORN = "import signal, time; signal.signal(signal.SIGINT, signal.SIG_IGN); print('up', flush=True); time.sleep(600)"
 
@@ -18,9 +20,8 @@ def exists(pid):
     return status.exists() and "State:\tZ" not in status.read_text()
 
 
-def test_a_process_that_ignores_ctrl_c_is_ended_all_the_same(monkeypatch):
-    monkeypatch.setattr("safety_control_cloud.processes.SIGNALS", ((signal.SIGINT, 0.2), (signal.SIGTERM, 5.0)))
-    with process([sys.executable, "-c", STUBBORN]) as running:
+def test_a_process_that_ignores_ctrl_c_is_ended_all_the_same():
+    with process([sys.executable, "-c", STUBBORN], ((signal.SIGINT, 0.2), (signal.SIGTERM, 5.0))) as running:
         eventually(lambda: running.output() == "up\n")
 
     assert running.exit_code == -signal.SIGTERM
@@ -33,6 +34,18 @@ def test_what_a_process_has_started_ends_with_it():
         assert len(sleepers) == 1
 
     eventually(lambda: not exists(sleepers[0]))
+
+
+def test_who_ends_roslaunch_waits_longer_than_roslaunch_waits_for_its_nodes():
+    nodeprocess = pytest.importorskip("roslaunch.nodeprocess")
+    number, patience = OF_ROSLAUNCH[0]
+    assert number == signal.SIGINT and patience > nodeprocess.DEFAULT_TIMEOUT_SIGINT + nodeprocess.DEFAULT_TIMEOUT_SIGTERM + 2.0
+
+
+def test_every_roslaunch_is_ended_with_that_patience():
+    sources = [*PYTHON.rglob("*.py"), *(ROOT / "tests").rglob("*.py")]
+    started = [line for path in sources for line in re.findall(r'rocess\(\["roslaunch".*', path.read_text())]
+    assert started and [line for line in started if "OF_ROSLAUNCH" not in line] == []
 
 
 def test_a_command_that_is_not_there_is_named():

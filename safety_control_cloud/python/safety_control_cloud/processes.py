@@ -13,9 +13,12 @@ import sys
 import tempfile
 import threading
 from contextlib import contextmanager
-from typing import IO, Iterator, List, Optional, Sequence
+from typing import IO, Iterator, List, Optional, Sequence, Tuple
 
-SIGNALS = ((signal.SIGINT, 5.0), (signal.SIGTERM, 2.0), (signal.SIGKILL, 5.0))  # how to end one, and the patience [s]
+Signals = Sequence[Tuple[signal.Signals, float]]  # how to end a process, and the patience [s] with each
+SIGNALS: Signals = ((signal.SIGINT, 5.0), (signal.SIGTERM, 2.0), (signal.SIGKILL, 5.0))
+# roslaunch itself has 15 s and 2 s of patience with its nodes, all at once: they outlive one that is killed before.
+OF_ROSLAUNCH: Signals = ((signal.SIGINT, 25.0), (signal.SIGTERM, 5.0), (signal.SIGKILL, 5.0))
 INTERRUPTS = (signal.SIGINT, signal.SIGTERM)
 
 
@@ -26,9 +29,10 @@ class ProcessError(RuntimeError):
 class Process:
     """A running command, in a process group of its own so that Ctrl-C reaches it only through end()."""
 
-    def __init__(self, command: Sequence[str]) -> None:
+    def __init__(self, command: Sequence[str], signals: Signals = SIGNALS) -> None:
         """Raises ProcessError if there is no such command."""
         self.command = tuple(command)
+        self._signals = signals
         self._output: IO[bytes] = tempfile.TemporaryFile()
         try:
             self._popen = subprocess.Popen(
@@ -64,7 +68,7 @@ class Process:
 
     def end(self) -> None:
         """Ends it, politely first, and with it whatever it has started."""
-        for number, patience in SIGNALS:
+        for number, patience in self._signals:
             if self.exit_code is not None:
                 break
             self.send(number)
@@ -76,12 +80,12 @@ class Process:
 
 
 @contextmanager
-def process(command: Sequence[str]) -> Iterator[Process]:
+def process(command: Sequence[str], signals: Signals = SIGNALS) -> Iterator[Process]:
     """Runs a command for as long as the block lasts."""
     running = None
     try:
         with _signals_deferred():
-            running = Process(command)
+            running = Process(command, signals)
         yield running
     finally:
         if running:

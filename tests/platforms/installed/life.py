@@ -12,7 +12,7 @@ from geometry_msgs.msg import Twist
 from safety_control_cloud import core
 from safety_control_cloud.cfg import SafetyControlConfig
 from safety_control_cloud.msg import SafetyState
-from safety_control_cloud.processes import process
+from safety_control_cloud.processes import OF_ROSLAUNCH, process
 from safety_control_cloud.ros_session import roscore
 
 PATIENCE = 60.0  # [s]
@@ -54,7 +54,7 @@ def guards():
     """A person's wish goes through the multiplexer to the guard, which lets no one drive without a camera."""
     wish = rospy.Publisher("/teleop/cmd_vel", Twist, queue_size=1)
     with heard("/mobile_base/commands/velocity", Twist) as obeyed, heard("/guard_mux/output", Twist) as wanted, \
-            process(["roslaunch", "safety_control_cloud", "guard.launch"]) as running:
+            process(["roslaunch", "safety_control_cloud", "guard.launch"], OF_ROSLAUNCH) as running:
         ahead = Twist()
         ahead.linear.x = 0.2
 

@@ -100,13 +100,13 @@ def gazebo() -> Iterator:
     """Gives what drives a scenario there. Raises ProcessError."""
     import rospy
 
-    from safety_control_cloud.processes import ProcessError, process
+    from safety_control_cloud.processes import OF_ROSLAUNCH, ProcessError, process
 
     with TemporaryDirectory(prefix="same_drives_") as folder:
         world = Path(folder) / "floor.xml"
         world.write_text(FLOOR)
         launch = ["roslaunch", "safety_control_cloud", "demo.launch", "simulator:=gazebo", f"world:={world}", "size:=320x240"]
-        with process(launch) as running:
+        with process(launch, OF_ROSLAUNCH) as running:
             try:
                 _join(running)
                 from driven_in_gazebo import Gazebo

@@ -14,7 +14,7 @@ rosgraph = pytest.importorskip("rosgraph")
 
 from matplotlib.image import imread  # noqa: E402
 
-from safety_control_cloud.processes import process  # noqa: E402
+from safety_control_cloud.processes import OF_ROSLAUNCH, process  # noqa: E402
 from safety_control_cloud.ros_session import roscore  # noqa: E402
 from safety_control_cloud.virtual_screen import virtual_screen  # noqa: E402
 
@@ -58,7 +58,7 @@ def wait_for(what: str, path: Path, seen) -> np.ndarray:
 
 
 def launch(file: str):
-    return process(["roslaunch", "safety_control_cloud", file])
+    return process(["roslaunch", "safety_control_cloud", file], OF_ROSLAUNCH)
 
 
 def launch_after_the_world(file: str):

@@ -20,7 +20,7 @@ from patience import eventually
 pytest.importorskip("rerun", reason="rerun-sdk is not installed (scripts/setup --with view)")
 
 from safety_control_cloud import core
-from safety_control_cloud.processes import process
+from safety_control_cloud.processes import OF_ROSLAUNCH, process
 from safety_control_cloud.ros_session import node, roscore
 from safety_control_cloud.view.entities import COLOURS, entities_of
 from safety_control_cloud.view.moment import Moment
@@ -134,7 +134,8 @@ def test_the_launch_file_serves_a_page_and_what_the_running_node_publishes_anywa
     """As a viewer on another computer gets it: over the data's port."""
     arrived, web, data = tmp_path / "arrived.rrd", free_port(), free_port()
     arguments = ["host:=localhost", f"port:={web}", f"data_port:={data}"]
-    with roscore(), node("safety_control_node"), process(CAMERA), process(["roslaunch", str(LAUNCH), *arguments]) as launched:
+    with roscore(), node("safety_control_node"), process(CAMERA), \
+            process(["roslaunch", str(LAUNCH), *arguments], OF_ROSLAUNCH) as launched:
         page = eventually(lambda: page_at(f"http://localhost:{web}/"), 60.0)
         with process([viewer(), f"rerun+http://localhost:{data}/proxy", "--save", str(arrived)]) as client:
             eventually(lambda: holds_pictures(arrived), 60.0)

@@ -13,7 +13,7 @@ import rosgraph
 import rospy
 from rich.console import Console
 
-from ..processes import Process, ProcessError, process
+from ..processes import OF_ROSLAUNCH, Process, ProcessError, process
 from ..ros_session import roscore
 from .picture import COLOURS, draw
 from .record import Approach, Sample
@@ -64,7 +64,7 @@ def stage(options: Options, *more: str) -> Iterator[Process]:
 def _launched(options: Options, *more: str) -> Iterator[Process]:
     """What it says is kept in roslaunch.log."""
     arguments = [f"simulator:={options.simulator}", f"world:={options.world}", f"rviz:={str(options.rviz).lower()}"]
-    launch = Process(["roslaunch", "safety_control_cloud", "demo.launch", *arguments, *more])
+    launch = Process(["roslaunch", "safety_control_cloud", "demo.launch", *arguments, *more], OF_ROSLAUNCH)
     try:
         yield launch
     finally:
