@@ -14,7 +14,7 @@ from typing import Callable, List
 
 from page import Step, missing_in
 
-from safety_control_cloud.processes import Process, process
+from safety_control_cloud.processes import OF_ROSLAUNCH, SIGNALS, Process, process
 
 PATIENCE = 120.0  # [s] for a busy machine
 PLAIN = 20_000  # [byte] a picture with less shows nothing yet
@@ -32,7 +32,9 @@ def follow(steps: List[Step], folder: Path, show: Callable[[Step], None], window
     with ExitStack() as running:
         for step in steps:
             if step.kind == "stays" or step.kind == "window" and windows:
-                _watch(running.enter_context(process(["bash", "-c", f"cd {shlex.quote(str(folder))}; exec {step.command}"])), step)
+                signals = OF_ROSLAUNCH if step.command.startswith("roslaunch ") else SIGNALS
+                command = ["bash", "-c", f"cd {shlex.quote(str(folder))}; exec {step.command}"]
+                _watch(running.enter_context(process(command, signals)), step)
             elif step.kind == "":
                 _run(step, folder)
             if step.picture:
