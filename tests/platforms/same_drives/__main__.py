@@ -13,7 +13,7 @@ from statistics import median
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Iterable, Iterator, Sequence
 
-from safety_control_cloud.commands.arguments import count
+from safety_control_cloud.commands.arguments import count, seed
 
 if TYPE_CHECKING:
     from driven import Pair
@@ -56,7 +56,7 @@ def options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
         prog="same_drives", description=__doc__, epilog="Exit code 1: it touched something, or stood elsewhere in more than a "
         "twentieth of the drives. Wants Gazebo 11 with gazebo_ros or its stand-ins, and MuJoCo.")
     parser.add_argument("--episodes", metavar="N", type=count, default=60, help="shared out among the families [%(default)s]")
-    parser.add_argument("--seed", metavar="S", type=int, default=1, help="the first of each family [%(default)s]")
+    parser.add_argument("--seed", metavar="S", type=seed, default=1, help="the first of each family [%(default)s]")
     parser.add_argument("--only", metavar="FAMILY:SEED", action="append", default=[], help="this one; may be repeated")
     parser.add_argument("--out", metavar="DIR", type=Path, default=Path("build/same_drives"),
                         help="for drives.json, and a picture of each drive that ends elsewhere [%(default)s]")

@@ -10,6 +10,7 @@ from safety_control_cloud.commands import gazebo_world, turtlebot_sim, view_node
     *(("--camera-rate", text, f"{text} is not a number above 0") for text in ("-3", "0", "nan", "inf")),
     ("--camera-rate", "200", "200 is more than 100"),
     ("--size", "0x480", "0 is not above 0"), ("--size", "640x-4", "-4 is not above 0"), ("--size", "640", "invalid picture_size value: '640'"),
+    ("--size", "10000000x10000000", "10000000x10000000 is more than 4096x4096"), ("--seed", "-5", "-5 is below 0"),
     *(("--rate", text, f"{text} is not 0 or a number above") for text in ("-1", "nan", "inf")),
 ])
 def test_what_cannot_be_simulated_is_refused(option, text, reason, capsys):

@@ -35,6 +35,12 @@ def test_a_time_that_nobody_can_wait_is_refused(option, text, capsys, tmp_path):
     assert f"argument {option}: {text} is not " in capsys.readouterr().err
 
 
+def test_a_seed_of_which_no_random_numbers_come_is_refused(capsys, tmp_path):
+    with pytest.raises(SystemExit) as ended:
+        main(["guard", "--out", str(tmp_path), "--seed", "-5"])
+    assert ended.value.code == 2 and "argument --seed: -5 is below 0" in capsys.readouterr().err
+
+
 def test_the_guard_is_shown_in_mujoco_alone(capsys, tmp_path):
     with pytest.raises(SystemExit) as ended:
         main(["guard", "--simulator", "gazebo", "--out", str(tmp_path)])

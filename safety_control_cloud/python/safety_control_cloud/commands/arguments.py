@@ -6,10 +6,15 @@ import argparse
 from math import inf
 
 
+LARGEST_SIDE = 4096  # [px] of a simulated picture, whose cloud is then of half a gigabyte
+
+
 def picture_size(text: str) -> tuple[int, int]:
     """[px] of `640x480`."""
-    width, height = text.split("x")
-    return count(width), count(height)
+    width, height = map(count, text.split("x"))
+    if max(width, height) > LARGEST_SIDE:
+        raise argparse.ArgumentTypeError(f"{text} is more than {LARGEST_SIDE}x{LARGEST_SIDE}")
+    return width, height
 
 
 def yes(text: str) -> bool:
@@ -21,6 +26,14 @@ def count(text: str) -> int:
     number = int(text)
     if number < 1:
         raise argparse.ArgumentTypeError(f"{text} is not above 0")
+    return number
+
+
+def seed(text: str) -> int:
+    """Of random numbers, which numpy wants from no other."""
+    number = int(text)
+    if number < 0:
+        raise argparse.ArgumentTypeError(f"{text} is below 0")
     return number
 
 

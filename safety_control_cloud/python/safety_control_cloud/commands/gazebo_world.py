@@ -20,7 +20,7 @@ from ..simulation.furniture import furniture_of
 from ..simulation.sdf import write_world
 from ..simulation.world_files import world_file, world_names
 from ..virtual_screen import virtual_screen
-from .arguments import not_negative, picture_size
+from .arguments import not_negative, picture_size, seed
 from .remappings import without_remappings
 
 _PATIENCE = 300.0  # [s] of the window, for Gazebo to come up
@@ -59,7 +59,7 @@ def _parsed(argv: list[str]) -> tuple[argparse.Namespace, list[str]]:
     what.add_argument("--window", action="store_true", help="only open Gazebo's window, for one that runs")
     parser.add_argument("--size", default="640x480", type=picture_size, help="of the camera's pictures [px]")
     parser.add_argument("--rate", default=1.0, type=not_negative, help="simulated seconds a real one; 0: as fast as it goes")
-    parser.add_argument("--seed", default=0, type=int, help="of Gazebo's random numbers")
+    parser.add_argument("--seed", default=0, type=seed, help="of Gazebo's random numbers")
     return parser.parse_args(without_remappings(argv)), [text for text in argv if ":=" in text]
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from ..simulation.base import LIMITS
 from ..simulation.world_files import world_argument, world_names
-from .arguments import not_negative, picture_size, positive, yes
+from .arguments import not_negative, picture_size, positive, seed, yes
 from .remappings import without_remappings
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ def parser() -> argparse.ArgumentParser:
     parser.add_argument("--wheels", default="driver", choices=sorted(LIMITS),
                         help="with the driver's acceleration limits, or obeying at once as in Gazebo")
     parser.add_argument("--rate", default=1.0, type=not_negative, help="simulated seconds a real one; 0: as fast as it goes")
-    parser.add_argument("--seed", default=0, type=int, help="of the depth's noise and the body's rocking")
+    parser.add_argument("--seed", default=0, type=seed, help="of the depth's noise and the body's rocking")
     parser.add_argument("--no-noise", action="store_true", help="true depth and no rocking")
     parser.add_argument("--viewer", nargs="?", const=True, default=False, type=yes, help="open MuJoCo's own window")
     return parser

@@ -8,7 +8,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from ..commands.arguments import positive
+from ..commands.arguments import positive, seed
 from ..optional import MissingPackages
 from ..processes import ProcessError, end_on_sigterm
 from ..simulation.world_files import world_argument, world_names
@@ -24,7 +24,7 @@ def main(argv: list[str]) -> int:
     parser.add_argument("--world", type=world_argument,
                         help=f"{', '.join(world_names())}, or an MJCF file (cabinet; as guard, playground)")
     parser.add_argument("--seconds", type=positive, default=120.0, help="as guard: so long [s] somebody drives (%(default)s)")
-    parser.add_argument("--seed", type=int, default=1, help="as guard: of what he tries (%(default)s)")
+    parser.add_argument("--seed", type=seed, default=1, help="as guard: of what he tries (%(default)s)")
     parser.add_argument("--simulator", default="mujoco", choices=("mujoco", "gazebo"), help="(%(default)s)")
     parser.add_argument("--rviz", action="store_true", help="open rviz beside it")
     parser.add_argument("--out", type=Path, default=Path("safety_demo"), help="folder for the picture and the bag")

@@ -7,11 +7,12 @@ from collections.abc import Sequence
 from os import cpu_count
 from pathlib import Path
 
-from ..commands.arguments import count
+from ..commands.arguments import count, seed
 from ..view import options as view
 from .names import DRIVERS, FAMILIES, METHODS
 
 ALL = (*FAMILIES, *(family for families in DRIVERS.values() for family in families))
+FILM = ".gif"
 PURPOSE = "Randomised drives in simulation: does the robot run into things?"
 
 
@@ -23,7 +24,7 @@ def options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
                         "hit things, or one who follows a path")
     parser.add_argument("--episodes", metavar="N", type=count, default=1000,
                         help="shared out among the families [%(default)s]")
-    parser.add_argument("--seed", metavar="S", type=int, default=1,
+    parser.add_argument("--seed", metavar="S", type=seed, default=1,
                         help="of the first episode of each family [%(default)s]")
     parser.add_argument("--jobs", metavar="J", type=count, default=cpu_count() or 1, help="processes [%(default)s]")
     parser.add_argument("--method", choices=(*METHODS, "both"), default="both", help="[%(default)s]")
@@ -36,7 +37,7 @@ def options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     parser.add_argument("--replay", metavar="FAMILY:SEED", type=_scenario, help="one drive, told moment by moment")
     parser.add_argument("--strays", metavar="SHARE", type=_share,
                         help="with --replay: of the pixels too near for the camera, which return any depth, in place of the share drawn")
-    parser.add_argument("--video", metavar="F.gif", type=view.writable, help="with --replay: what the robot saw and where it went")
+    parser.add_argument("--video", metavar="F.gif", type=_film, help="with --replay: what the robot saw and where it went")
     view.add_to(parser)
     parser.add_argument("--scheduler", metavar="ADDRESS", help="drive on the workers of this Dask scheduler")
     given = parser.parse_args(arguments)
@@ -53,6 +54,12 @@ def options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
             parser.error(f"{family} does not go with {'--driver ' + given.driver if given.driver else 'no --driver'}: "
                          f"the families are {', '.join(families)}")
     return given
+
+
+def _film(text: str) -> Path:
+    if Path(text).suffix != FILM:
+        raise argparse.ArgumentTypeError(f"{text!r} does not end in {FILM}")
+    return view.writable(text)
 
 
 def _share(text: str) -> float:
