@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What cannot be is refused while arguments are read, before a master is asked."""
+import sys
+
 import pytest
 
 from safety_control_cloud.commands import gazebo_world, turtlebot_sim, view_node
@@ -33,3 +35,20 @@ def test_as_fast_as_it_goes_can_be_simulated_in_a_world_of_the_users(tmp_path, m
     monkeypatch.chdir(tmp_path)
     given = turtlebot_sim.parser().parse_args(["--rate", "0", "--world", "mine.xml"])
     assert (given.rate, given.world) == (0.0, str(tmp_path / "mine.xml"))
+
+
+def test_a_world_that_mujoco_cannot_read_is_told_in_a_line_before_a_master_is_asked(tmp_path, capsys):
+    pytest.importorskip("rospy")
+    (tmp_path / "a.yaml").write_text("a: b\n")
+    assert turtlebot_sim.main(["turtlebot_sim", "--world", str(tmp_path / "a.yaml")]) == 2
+    said = capsys.readouterr().err
+    assert said.startswith(f"turtlebot_sim: cannot simulate {tmp_path}/a.yaml: ") and said.count("\n") == 1
+
+
+def test_without_mujoco_one_line_says_who_installs_it(monkeypatch, capsys):
+    pytest.importorskip("rospy")
+    for name in [name for name in sys.modules if name.startswith("safety_control_cloud.simulation") or name.endswith("nodes.turtlebot_sim")]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, "mujoco", None)
+    assert turtlebot_sim.main(["turtlebot_sim"]) == 2
+    assert capsys.readouterr().err == "turtlebot_sim: this needs MuJoCo, which scripts/setup installs beside the package\n"

@@ -47,20 +47,27 @@ def main(argv: list[str]) -> int:
     except ModuleNotFoundError as missing:
         if missing.name != "mujoco":
             raise
-        print("turtlebot_sim: this needs MuJoCo, which scripts/setup installs beside the package", file=sys.stderr)
-        return 2
+        return _complain("this needs MuJoCo, which scripts/setup installs beside the package")
 
+    try:
+        world = World.load(arguments.world, Xtion(*arguments.size, rate=arguments.camera_rate))
+    except ValueError as error:
+        return _complain(f"cannot simulate {arguments.world}: {' '.join(str(error).split())}")
     life = Life("turtlebot_sim")
     rospy.set_param("/use_sim_time", True)
-    xtion = Xtion(*arguments.size, rate=arguments.camera_rate)
-    seed = None if arguments.no_noise else arguments.seed
-    robot = TurtleBot(World.load(arguments.world, xtion), LIMITS[arguments.wheels], seed)
-    simulator = TurtlebotSim(robot, Options(arguments.rate, arguments.depth_encoding, seed))
+    noise = None if arguments.no_noise else arguments.seed
+    robot = TurtleBot(world, LIMITS[arguments.wheels], noise)
+    simulator = TurtlebotSim(robot, Options(arguments.rate, arguments.depth_encoding, noise))
     if arguments.viewer:
-        _run_in_window(simulator, robot.world, life)
+        _run_in_window(simulator, world, life)
     else:
         simulator.run(life)
     return 0
+
+
+def _complain(why: str) -> int:
+    print(f"turtlebot_sim: {why}", file=sys.stderr)
+    return 2
 
 
 def _camera_rate(text: str) -> float:

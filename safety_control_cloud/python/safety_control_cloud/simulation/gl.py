@@ -8,6 +8,6 @@ try:
     import mujoco
 except ModuleNotFoundError as missing:
     where = "scripts/setup installs MuJoCo into a clone's .venv/; of an installed package, pip does"
-    raise ModuleNotFoundError(f"{missing}: {where}") from missing
+    raise ModuleNotFoundError(f"{missing}: {where}", name=missing.name) from missing
 
 __all__ = ["mujoco"]
