@@ -7,12 +7,16 @@ from __future__ import annotations
 import argparse
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ..commands.arguments import positive, seed
 from ..optional import MissingPackages
 from ..processes import ProcessError, end_on_sigterm
 from ..simulation.world_files import world_argument, world_names
 from ..view.options import add_to, make, recorded_in
+
+if TYPE_CHECKING:
+    from .run import Options
 
 
 def main(argv: list[str]) -> int:
@@ -52,9 +56,7 @@ def main(argv: list[str]) -> int:
             options = Options(arguments.world or ("playground" if guards else "cabinet"), arguments.simulator, arguments.out,
                               arguments.rviz, arguments.patience, rrd)
             if guards:
-                from .guarded import run_guarded
-
-                return 0 if run_guarded(options, arguments.seconds, arguments.seed) else 1
+                return _guard(options, arguments)
             return 0 if run(options) else 1
     except MissingPackages as error:
         print(f"demo: {error}", file=sys.stderr)
@@ -64,6 +66,16 @@ def main(argv: list[str]) -> int:
         return 2
     except KeyboardInterrupt:
         return 130
+
+
+def _guard(options: Options, arguments: argparse.Namespace) -> int:
+    from .guarded import BadWorld, run_guarded
+
+    try:
+        return 0 if run_guarded(options, arguments.seconds, arguments.seed) else 1
+    except BadWorld as error:
+        print(f"demo: {error}", file=sys.stderr)
+        return 2
 
 
 if __name__ == "__main__":

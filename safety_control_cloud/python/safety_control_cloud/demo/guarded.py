@@ -6,6 +6,7 @@ import time
 from pathlib import Path
 from threading import Lock
 from typing import TYPE_CHECKING
+from xml.etree.ElementTree import ParseError
 
 import numpy as np
 import rospy
@@ -32,14 +33,21 @@ _SPOKEN_APART = 0.5  # [s] between two lines at least
 
 
 def run_guarded(options: Options, seconds: float, seed: int) -> bool:
-    """Did it touch nothing? Raises ProcessError if ROS does not come up."""
+    """Did it touch nothing? Raises ProcessError if ROS does not come up, BadWorld for a world that nobody can drive in."""
     options.folder.mkdir(parents=True, exist_ok=True)
     console = Console(highlight=False, soft_wrap=True)
-    furniture = furniture_of(world_file(options.world))
+    try:
+        furniture = furniture_of(world_file(options.world))
+    except (ValueError, ParseError) as error:
+        raise BadWorld(f"cannot drive in {options.world}: {error}") from error
     with stage(options, "guard:=true") as launch:
         ride = Ride(console)
         ride.drive(_rude(furniture, seed), seconds, launch)
     return _report(ride, furniture, options, console)
+
+
+class BadWorld(ValueError):
+    """str() says in a line what it lacks."""
 
 
 class Ride:

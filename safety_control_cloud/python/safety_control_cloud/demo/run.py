@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from threading import Thread
 
 import rosgraph
 import rospy
@@ -48,7 +49,7 @@ def run(options: Options) -> bool:
 @contextmanager
 def stage(options: Options, *more: str) -> Iterator[Process]:
     """The whole stack, joined and recorded for as long as the block lasts; `more` arguments of demo.launch."""
-    with roscore(), _launched(options, *more) as launch:
+    with roscore(), _launched(options, *more) as launch, _watched(launch):
         _join(launch)
         with ExitStack() as recorders:
             recorders.enter_context(
@@ -72,6 +73,33 @@ def _launched(options: Options, *more: str) -> Iterator[Process]:
         (options.folder / "roslaunch.log").write_text(launch.output())
 
 
+@contextmanager
+def _watched(launch: Process) -> Iterator[None]:
+    """Who waits in the block for something of ROS waits no longer once roslaunch has ended.
+
+    It ends with the simulator, and with it the simulated time that rospy sleeps by. Raises ProcessError then.
+    """
+    Thread(target=_shut_down_after, args=(launch,), daemon=True).start()
+    try:
+        yield
+    except (rospy.ROSInterruptException, rospy.ServiceException) as interrupted:
+        if launch.exit_code is None:
+            raise
+        raise ProcessError(_why_ended(launch)) from interrupted
+
+
+def _shut_down_after(launch: Process) -> None:
+    while launch.exit_code is None:
+        time.sleep(0.1)
+    rospy.signal_shutdown("roslaunch has ended")
+
+
+def _why_ended(launch: Process) -> str:
+    """In the simulator's words, if it has said any."""
+    said = [line for line in launch.output().splitlines() if line.startswith("turtlebot_sim: ")]
+    return said[-1] if said else "roslaunch has ended, and with it the simulator"
+
+
 def _join(launch: Process) -> None:
     """Become a node once roslaunch has said that time is simulated; rospy asks only once."""
     master = rosgraph.Master("/safety_demo")
@@ -83,7 +111,7 @@ def _join(launch: Process) -> None:
                 return
         except rosgraph.MasterException:
             time.sleep(0.1)
-    raise ProcessError("ROS did not come up")
+    raise ProcessError("ROS did not come up" if launch.exit_code is None else _why_ended(launch))
 
 
 def _drive(launch: Process, patience: float, console: Console) -> list[Approach]:
