@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..commands.arguments import positive, seed
-from ..optional import MissingPackages
+from ..optional import MissingPackages, require
 from ..processes import ProcessError, end_on_sigterm
 from ..simulation.world_files import world_argument, world_names
 from ..view.options import add_to, make, recorded_in
@@ -38,6 +38,10 @@ def main(argv: list[str]) -> int:
     guards = arguments.what == "guard"
     if guards and arguments.simulator == "gazebo":
         parser.error("guard goes with --simulator mujoco")
+    try:
+        require("demo")
+    except MissingPackages as error:
+        return _complain(error)
     make(arguments.out, parser)
     import rospy  # after the arguments: --help needs Python alone
 
@@ -49,8 +53,7 @@ def main(argv: list[str]) -> int:
         try:
             gazebo_ros_executable("gzserver")
         except ProcessError as missing:
-            print(f"demo: {missing}", file=sys.stderr)
-            return 2
+            return _complain(missing)
     try:
         with recorded_in(arguments.rrd, arguments.view) as rrd:
             options = Options(arguments.world or ("playground" if guards else "cabinet"), arguments.simulator, arguments.out,
@@ -59,11 +62,9 @@ def main(argv: list[str]) -> int:
                 return _guard(options, arguments)
             return 0 if run(options) else 1
     except MissingPackages as error:
-        print(f"demo: {error}", file=sys.stderr)
-        return 2
+        return _complain(error)
     except (ProcessError, rospy.ROSException) as error:
-        print(f"demo: {error}; see {arguments.out / 'roslaunch.log'}", file=sys.stderr)
-        return 2
+        return _complain(f"{error}; see {arguments.out / 'roslaunch.log'}")
     except KeyboardInterrupt:
         return 130
 
@@ -74,8 +75,12 @@ def _guard(options: Options, arguments: argparse.Namespace) -> int:
     try:
         return 0 if run_guarded(options, arguments.seconds, arguments.seed) else 1
     except BadWorld as error:
-        print(f"demo: {error}", file=sys.stderr)
-        return 2
+        return _complain(error)
+
+
+def _complain(why: object) -> int:
+    print(f"demo: {why}", file=sys.stderr)
+    return 2
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 
-from safety_control_cloud.optional import MissingPackages
+from safety_control_cloud.optional import MissingPackages, require
 from safety_control_cloud.processes import ProcessError, end_on_sigterm
 from safety_control_cloud.replay.options import request_of
 
@@ -13,6 +13,10 @@ FAILED, UNUSABLE, INTERRUPTED = 1, 2, 130  # exit codes; argparse too says 2
 
 def main() -> int:
     request = request_of()
+    try:
+        require("replay")
+    except MissingPackages as error:
+        return _complain(error, UNUSABLE)
     from safety_control_cloud.replay.bags import BagError  # after the arguments: --help needs Python alone
     from safety_control_cloud.replay.lockstep import BadParameters, NoAnswer
     from safety_control_cloud.replay.parameters import BadSettings

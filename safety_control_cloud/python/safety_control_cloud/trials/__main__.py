@@ -14,6 +14,7 @@ LOST, UNUSABLE, INTERRUPTED = 3, 2, 130  # exit codes; argparse too says 2
 def main() -> int:
     given = options()
     try:
+        require("trials")
         if given.scheduler:
             require("cluster")
         from .command import run  # after the arguments: --help needs Python alone
