@@ -41,6 +41,13 @@ def test_a_seed_of_which_no_random_numbers_come_is_refused(capsys, tmp_path):
     assert ended.value.code == 2 and "argument --seed: -5 is below 0" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("option", ["--seconds", "--seed"])
+def test_what_is_the_guards_is_refused_without_him(option, capsys, tmp_path):
+    with pytest.raises(SystemExit) as ended:
+        main(["--out", str(tmp_path), option, "1"])
+    assert ended.value.code == 2 and f"{option} goes with guard" in capsys.readouterr().err
+
+
 def test_the_guard_is_shown_in_mujoco_alone(capsys, tmp_path):
     with pytest.raises(SystemExit) as ended:
         main(["guard", "--simulator", "gazebo", "--out", str(tmp_path)])

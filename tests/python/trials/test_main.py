@@ -27,7 +27,9 @@ def test_a_drive_to_replay_is_named_by_family_and_seed():
 @pytest.mark.parametrize(
     "arguments", [["--replay", "wall"], ["--replay", "nowhere:1"], ["--jobs", "0"], ["--video", "a.gif"], ["--family", "x"],
                   ["--rrd", "a.rrd"], ["--view"], ["--strays", "0"], ["--replay", "wall:1", "--strays", "2"], ["--replay", "wall:1", "--rrd", "a.txt"],
-                  ["--seed", "-5"], ["--replay", "wall:1", "--video", "a.mp4"]]
+                  ["--seed", "-5"], ["--replay", "wall:1", "--json", "a.json"], ["--replay", "wall:1", "--report", "a"],
+                  ["--replay", "wall:1", "--episodes", "5"], ["--replay", "wall:1", "--seed", "5"], ["--replay", "wall:1", "--family", "wall"],
+                  ["--replay", "wall:1", "--video", "a.mp4"]]
 )
 def test_what_cannot_be_driven_is_refused(arguments, capsys):
     with pytest.raises(SystemExit) as ended:

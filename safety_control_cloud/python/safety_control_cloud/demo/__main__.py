@@ -18,6 +18,8 @@ from ..view.options import add_to, make, recorded_in
 if TYPE_CHECKING:
     from .run import Options
 
+SECONDS, SEED = 120.0, 1  # of the guard's drive
+
 
 def main(argv: list[str]) -> int:
     parser = argparse.ArgumentParser(
@@ -27,8 +29,8 @@ def main(argv: list[str]) -> int:
     parser.add_argument("what", nargs="?", default="approach", choices=("approach", "guard"), help="(%(default)s)")
     parser.add_argument("--world", type=world_argument,
                         help=f"{', '.join(world_names())}, or an MJCF file (cabinet; as guard, playground)")
-    parser.add_argument("--seconds", type=positive, default=120.0, help="as guard: so long [s] somebody drives (%(default)s)")
-    parser.add_argument("--seed", type=seed, default=1, help="as guard: of what he tries (%(default)s)")
+    parser.add_argument("--seconds", type=positive, help=f"as guard: so long [s] somebody drives ({SECONDS:g})")
+    parser.add_argument("--seed", type=seed, help=f"as guard: of what he tries ({SEED})")
     parser.add_argument("--simulator", default="mujoco", choices=("mujoco", "gazebo"), help="(%(default)s)")
     parser.add_argument("--rviz", action="store_true", help="open rviz beside it")
     parser.add_argument("--out", type=Path, default=Path("safety_demo"), help="folder for the picture and the bag")
@@ -38,6 +40,9 @@ def main(argv: list[str]) -> int:
     guards = arguments.what == "guard"
     if guards and arguments.simulator == "gazebo":
         parser.error("guard goes with --simulator mujoco")
+    for name in ("seconds", "seed"):
+        if getattr(arguments, name) is not None and not guards:
+            parser.error(f"--{name} goes with guard")
     try:
         require("demo")
     except MissingPackages as error:
@@ -73,7 +78,8 @@ def _guard(options: Options, arguments: argparse.Namespace) -> int:
     from .guarded import BadWorld, run_guarded
 
     try:
-        return 0 if run_guarded(options, arguments.seconds, arguments.seed) else 1
+        seconds, seed = arguments.seconds or SECONDS, SEED if arguments.seed is None else arguments.seed
+        return 0 if run_guarded(options, seconds, seed) else 1
     except BadWorld as error:
         return _complain(error)
 

@@ -13,6 +13,7 @@ from .names import DRIVERS, FAMILIES, METHODS
 
 ALL = (*FAMILIES, *(family for families in DRIVERS.values() for family in families))
 FILM = ".gif"
+OF_MANY = ("episodes", "seed", "jobs", "family", "json", "report", "scheduler")  # drives, not of one
 PURPOSE = "Randomised drives in simulation: does the robot run into things?"
 
 
@@ -41,6 +42,9 @@ def options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     view.add_to(parser)
     parser.add_argument("--scheduler", metavar="ADDRESS", help="drive on the workers of this Dask scheduler")
     given = parser.parse_args(arguments)
+    for name in OF_MANY:
+        if getattr(given, name) != parser.get_default(name) and given.replay:
+            parser.error(f"--{name} does not go with --replay")
     if given.report:
         view.make(given.report, parser)
     for name in ("strays", "video", "rrd", "view"):
