@@ -119,11 +119,21 @@ def test_comparing_two_settings_shows_where_they_differ_and_how_to_look(tmp_path
     (["x.bag", "--param", "danger_distnce=1"], "no parameter danger_distnce"),
     (["x.bag", "--param", "danger_distance=near"], "danger_distance cannot be 'near'"),
     (["x.bag", "--param", "danger_distance=-1"], "danger_distance"), (["x.bag", "--settings", "none.yaml"], "none.yaml"),
-    (["x.bag", "--out", "/proc/nowhere"], "/proc/nowhere")])
+    ([__file__, "--out", "/proc/nowhere"], "/proc/nowhere"), (["nope.bag"], "judge: nope.bag: no such file\n"),
+    (["nope.bag", "no*pe.bag"], "judge: no*pe.bag: nothing has such a name, or no bag in it\n"),
+    (["x.bag", "--mode", "guard", "--param", "mode=drive"], "--mode guard and --param mode=drive are two")])
 def test_wrong_usage_is_exit_code_2_and_named(arguments, says):
     result = judge(*arguments, code=2)
 
     assert says in result.stderr and "Traceback" not in result.stderr
+
+
+def test_a_folder_without_bags_is_nothing_to_judge_unless_another_has_some(tmp_path, drives):
+    (tmp_path / "empty").mkdir()
+    assert judge(tmp_path / "empty", code=2).stderr == f"judge: {tmp_path}/empty: no bag in it\n"
+    result = judge(tmp_path / "empty", drives / "0.bag", "--out", tmp_path / "out", code=1)
+    assert f"{tmp_path}/empty: no bag in it" in bag_rows(tmp_path / "out")["empty"]["error"]
+    assert "1 could not be read" in result.stdout
 
 
 @pytest.mark.parametrize("number, code", [(signal.SIGINT, 130), (signal.SIGTERM, 143)])

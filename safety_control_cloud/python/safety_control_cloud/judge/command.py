@@ -9,7 +9,7 @@ from typing import Any, Dict, List, Optional, Sequence
 from safety_control_cloud.judge import compare, say
 from safety_control_cloud.judge.bag import mode_of
 from safety_control_cloud.judge.choice import Choice
-from safety_control_cloud.judge.find import bags_in
+from safety_control_cloud.judge.find import NoBags, bags_in, refuse_nothing
 from safety_control_cloud.judge.guard import compare as guard_compare, say as guard_say
 from safety_control_cloud.judge.guard.rows import GUARD
 from safety_control_cloud.judge.identity import hash_of_settings
@@ -18,7 +18,7 @@ from safety_control_cloud.judge.store import Store
 from safety_control_cloud.judge.table import AnyBag
 from safety_control_cloud.processes import end_on_sigterm
 from safety_control_cloud.replay.guard.inputs import OF_TRANSPORT, refuse_both
-from safety_control_cloud.replay.parameters import BadSettings, parameters_in, settings_of
+from safety_control_cloud.replay.parameters import BadSettings, parameters_in, refuse_two_modes, settings_of
 
 SOME_UNREADABLE = 1  # exit code
 
@@ -35,7 +35,8 @@ def run(given: argparse.Namespace) -> int:
         if given.report:
             given.report.mkdir(parents=True, exist_ok=True)
         bags = bags_in(given.bags)
-    except (BadSettings, OSError) as error:
+        refuse_nothing(given.bags)
+    except (BadSettings, NoBags, OSError) as error:
         raise Unusable(str(error)) from error
     choice = Choice(tuple(given.topic), given.cmd_vel, given.odom)
     request = Request(bags, given.out, settings, choice, given.jobs, given.scheduler)
@@ -62,6 +63,7 @@ def _settings(given: argparse.Namespace) -> List[Dict[str, Any]]:
 
 
 def _of(given: argparse.Namespace, file: Optional[Path]) -> Dict[str, Any]:
+    refuse_two_modes(given.mode, dict(given.param))
     parameters = {**(parameters_in(file) if file else {}), **dict(given.param), **({"mode": given.mode} if given.mode else {})}
     parameters = {name: value for name, value in parameters.items() if name not in OF_TRANSPORT}
     try:

@@ -13,6 +13,10 @@ REMOTE = re.compile(r"^[a-z][a-z0-9+.-]+://")
 WILD = re.compile(r"[*?\[]")
 
 
+class NoBags(ValueError):
+    """str() has a line for each name."""
+
+
 def path_of(name: str) -> Path:
     """A local path, or an object that a store holds (needs universal_pathlib, and s3fs for s3://)."""
     if not REMOTE.match(name):
@@ -26,6 +30,28 @@ def bags_in(names: Sequence[str]) -> List[str]:
     """In the order of the names, each once. A name without bags stands for itself: judged, it says what is wrong."""
     found = [bag for name in names for bag in (_there(name) or [name])]
     return list(dict.fromkeys(found))
+
+
+def refuse_nothing(names: Sequence[str]) -> None:
+    """Raises NoBags if not one of the names stands for a bag. What a store has is only known to who reads it."""
+    reasons = []
+    for name in names:
+        reasons.append(_without_bags(name))
+        if not reasons[-1]:
+            return
+    raise NoBags("\n".join(reasons))
+
+
+def _without_bags(name: str) -> str:
+    """A line that says why there is none; empty: there may be."""
+    try:
+        if REMOTE.match(name) or _of(name):
+            return ""
+    except OSError as error:
+        return f"cannot read {name}: {error.strerror}"
+    if WILD.search(name):
+        return f"{name}: nothing has such a name, or no bag in it"
+    return f"{name}: no bag in it" if Path(name).is_dir() else f"{name}: no such file"
 
 
 def _there(name: str) -> List[str]:

@@ -125,6 +125,8 @@ def _reader(bags: Sequence[Path]) -> AnyReader:
     for bag in bags:
         if not bag.exists():
             raise BagError(f"{bag}: no such file")
+        if bag.is_dir() and not (bag / METADATA).exists():
+            raise BagError(f"{bag}: no bag in it: a folder is one with {METADATA}")
         if bag.is_file() and bag.suffix not in ENDINGS:
             raise BagError(f"{bag}: not a bag; ROS 1 bags are files named *.bag, ROS 2 bags folders with {METADATA}, "
                            "*.mcap or *.db3")

@@ -23,6 +23,8 @@ ANSWER_TIMEOUT = 30.0  # [s]
 REMEMBERED = "_lost/things"  # after the node's name
 REFUSAL = "cannot start with these parameters"  # as the node says it
 
+ON_THE_SERVER = re.compile(r" \(it stays on the parameter server until: rosparam delete [^)]*\)")  # of a master that has ended by then
+
 
 class NoAnswer(RuntimeError):
     """The node ended, or was silent about a cloud."""
@@ -121,7 +123,7 @@ class Lockstep:
             return
         _, refusal, problems = self._said().partition(REFUSAL)
         if refusal:
-            raise BadParameters((refusal + problems).strip())
+            raise BadParameters(ON_THE_SERVER.sub("", refusal + problems).strip())
         raise NoAnswer(f"the node ended with exit code {self._process.exit_code} at {asked}\n{self._said()}")
 
     def _said(self) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, Dict, Mapping
+from typing import Any, Dict, Mapping, Optional
 
 from ruamel.yaml import YAML, YAMLError
 
@@ -25,6 +25,12 @@ def parameters_in(file: Path) -> Dict[str, Any]:
     if not isinstance(content, dict):
         raise BadSettings(f"{file}: not a list of parameters, NAME: VALUE")
     return {str(name): value for name, value in content.items()}
+
+
+def refuse_two_modes(mode: Optional[str], parameters: Mapping[str, Any]) -> None:
+    """--mode goes before a file's, not before what the same command line says. Raises BadSettings."""
+    if mode and parameters.get("mode", mode) != mode:
+        raise BadSettings(f"--mode {mode} and --param mode={parameters['mode']} are two")
 
 
 def settings_of(parameters: Mapping[str, Any]) -> core.Settings:

@@ -10,7 +10,7 @@ from safety_control_cloud.replay.bags import BagError
 from safety_control_cloud.replay.lockstep import Answer
 from safety_control_cloud.replay.nodes import safety_nodes
 from safety_control_cloud.replay.options import GUARD, Request
-from safety_control_cloud.replay.parameters import BadSettings, parameters_in, settings_of
+from safety_control_cloud.replay.parameters import BadSettings, parameters_in, refuse_two_modes, settings_of
 from safety_control_cloud.replay.recording import Recording, recording
 from safety_control_cloud.replay.report import print_table, with_progress, write_json
 from safety_control_cloud.replay.show import shown_in
@@ -24,6 +24,7 @@ LISTS = ("sensors", "switches")  # which no argument of a node can be
 def replay(request: Request) -> None:
     """Raises parameters.BadSettings, bags.BagError, lockstep.BadParameters, lockstep.NoAnswer, processes.ProcessError,
     optional.MissingPackages."""
+    refuse_two_modes(request.mode, request.parameters)
     given = {**(parameters_in(request.settings) if request.settings else {}), **request.parameters}
     if request.mode:
         given["mode"] = request.mode
