@@ -16,7 +16,7 @@ UNUSABLE = 2  # exit code
 
 def main(argv: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="view_node", description=__doc__.split(": ", 1)[1])
-    parser.add_argument("--node", default="/safety_control_cloud", help="the safety node's name [%(default)s]")
+    parser.add_argument("--node", default="safety_control_cloud", help="the safety node's name [%(default)s]")
     parser.add_argument("--rate", type=positive, default=5.0, help="[Hz] at most [%(default)s]")
     parser.add_argument("--host", default=socket.gethostname(), help="this machine's name, as the browser knows it [%(default)s]")
     parser.add_argument("--port", type=int, default=9090, help="of the page [%(default)s]")
