@@ -50,7 +50,7 @@ struct GuardSettings {
   double max_turn = 3.14;             ///< [rad/s]
   bool zone_caps = false;             ///< whether the drive mode's zones cap what leads to where a sensor looks
   double escape_speed = 0.1;          ///< [m/s] of the fastest point on the way out of the margin
-  double unseen_speed = 0.1;          ///< [m/s] of the fastest point, where no sensor looks; 0 = never
+  double unseen_speed = 0.1;          ///< [m/s] of its fastest point, if all of a motion leads out of sight; 0 = never
   double override_max = 0.0;          ///< [s] for which ~override may hold; 0 = it is refused
   double override_speed = 0.1;        ///< [m/s] of the fastest point meanwhile, at most
   double latency = 0.05;              ///< [s] from a look, or a wish, until the base has the command
