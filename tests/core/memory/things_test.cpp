@@ -110,6 +110,21 @@ TEST_P(Sent, ALegThatGoesDoesNotForgiveTheBagAboveIt) {
   for (int i = 0; i < 60; ++i) ASSERT_EQ(sees(Scene({bag(0.3f)})).speed, 0.0) << i;
 }
 
+/// It hangs before a box and is a small part of what is seen.
+TEST_P(Sent, WhatWentOutOfSightBeforeTheRestOfAThingDoesNotGoWithThatRest) {
+  const auto knob = [](float z) { return Board{z, -0.03f, 0.03f, -0.03f, 0.02f}; };
+  const auto box = [](float z) { return Board{z + 0.03f, -0.12f, 0.12f, -0.1f, 0.1f}; };
+  const Board wall = {3.0f, -9.0f, 9.0f, -9.0f, floor_y};
+  for (const float step : {0.04f, 0.02f, 0.005f}) {
+    robot = Robot();
+    float z = 0.6f;
+    for (; z > 0.385f; z -= step) sees(Scene({knob(z), box(z), wall}));
+    for (int i = 0; i < 10; ++i) sees(Scene({knob(z), box(z), wall}));
+    for (float behind = z; behind < 1.0f; behind += 0.05f) sees(Scene({knob(z), box(behind), wall}));
+    for (int i = 0; i < 60; ++i) ASSERT_EQ(sees(Scene({knob(z), wall})).speed, 0.0) << step << ", " << i;
+  }
+}
+
 TEST_P(Sent, ALostThingIsTrustedNowhereElseBecauseSomethingLargerIsNear) {
   const Board thing = {0.6f, -0.25f, -0.15f, -0.2f, 0.1f}, larger = {0.7f, -0.05f, 0.25f, -0.2f, 0.1f};
   for (int i = 0; i < 3; ++i) sees(Scene({thing, larger}));
