@@ -16,7 +16,7 @@ constexpr double least_answer_period = 0.01;  // [s]
 constexpr char after_name = '\n';             // before what a sensor remembers
 
 std::string named(const std::string& name, const std::string& text) {
-  return text.empty() ? "" : name + after_name + text;
+  return text.empty() || name.empty() ? text : name + after_name + text;
 }
 
 Settings checked(const Settings& settings) {
@@ -61,29 +61,40 @@ void GuardControl::adopt(const Settings& settings) {
 
 void GuardControl::forget_losses() {
   memory_.forget();
+  unplaced_.forget();
   closed_.reset();
   for (GuardSensor& sensor : sensors_) sensor.forget_losses();
 }
 
 std::vector<std::string> GuardControl::remembered() const {
   std::vector<std::string> texts;
-  for (const GuardSensor& sensor : sensors_) texts.push_back(named(sensor.name(), sensor.remembered()));
+  for (const GuardSensor& sensor : sensors_) texts.push_back(named(written_name(sensor), sensor.remembered()));
+  for (const std::string& text : unplaced_.texts()) texts.push_back(text);
   texts.push_back(memory_.remembered());
   return texts;
 }
 
 bool GuardControl::recall(const std::vector<std::string>& remembered) {
-  bool legible = !remembered.empty() && memory_.recall(remembered.back());
-  for (std::size_t i = 0; i + 1 < remembered.size(); ++i) {
-    const std::string& text = remembered[i];
-    if (text.empty()) continue;
-    const std::size_t end = std::min(text.find(after_name), text.size());
-    const auto is_its_own = [&](const GuardSensor& one) { return text.compare(0, end, one.name()) == 0; };
-    const auto sensor = std::find_if(sensors_.begin(), sensors_.end(), is_its_own);
-    const bool is_recalled = sensor != sensors_.end() && end < text.size() && sensor->recall(text.substr(end + 1));
-    legible = is_recalled && legible;
-  }
-  return legible;
+  unplaced_.forget();
+  for (const std::string& line : remembered)
+    if (!line.empty() && !go_on_with(line)) unplaced_.note(line);
+  return !unplaced_.any();
+}
+
+std::string GuardControl::written_name(const GuardSensor& sensor) const {
+  return settings_.sensors.empty() ? "" : sensor.name();
+}
+
+/// Who goes on with a line already, does not take another one in its place.
+bool GuardControl::go_on_with(const std::string& line) {
+  if (memory_.remembered().empty() && memory_.recall(line)) return true;
+  const std::size_t end = line.find(after_name);
+  const bool is_named = end != std::string::npos;
+  const std::string name = is_named ? line.substr(0, end) : "";
+  const auto is_its_own = [&](const GuardSensor& one) { return written_name(one) == name; };
+  const auto sensor = std::find_if(sensors_.begin(), sensors_.end(), is_its_own);
+  return sensor != sensors_.end() && sensor->remembered().empty() &&
+         sensor->recall(is_named ? line.substr(end + 1) : line);
 }
 
 double GuardControl::until_silent(double now) const {
@@ -165,11 +176,22 @@ std::vector<Known> GuardControl::known_at(const Instant& now) {
     for (Known& one : memory_.known_at(now, {odometry_, given_}, sensors_, shows, guard_))
       all.push_back(std::move(one));
     for (Known& one : closed_.known_at(now.steady, settings_.switch_release_time)) all.push_back(std::move(one));
+    if (auto unplaced = known_of_unplaced(now)) all.push_back(*std::move(unplaced));
     return all;
   }
   Known none;
   none.doubt = outside_ ? *outside_ : Doubt{Cause::NoCloud, "no sensor is required, and none to be believed"};
   return {none};
+}
+
+std::optional<Known> GuardControl::known_of_unplaced(const Instant& now) {
+  unplaced_.forget_old(now, settings_);
+  if (!unplaced_.any()) return std::nullopt;
+  Known known;
+  known.sensor = "memory";
+  known.doubt = unplaced_.doubt();
+  known.hint = Unplaced::hint;
+  return known;
 }
 
 UnderWay GuardControl::under_way(const Twist2& wanted, const Instant& now) const {
@@ -189,12 +211,13 @@ Allowed GuardControl::overridden(const Twist2& wanted, const std::vector<Known>&
 }
 
 Allowed GuardControl::allowed_now(const Instant& now, const std::vector<Known>& known) const {
-  const auto standing = [](Cause cause, std::string reason, std::string sensor = {}) {
-    return Allowed{0.0, 0.0, std::nullopt, std::move(sensor), cause, std::move(reason)};
+  const auto standing = [](Cause cause, std::string reason, std::string sensor = {}, std::string hint = {}) {
+    return Allowed{0.0, 0.0, std::nullopt, std::move(sensor), cause, std::move(reason), std::move(hint)};
   };
   const bool overrides = override_.covers(known, now.steady);
   for (const Known& one : known)
-    if (one.doubt && !overrides) return standing(one.doubt->cause, one.doubt->reason, outside_ ? "" : one.sensor);
+    if (one.doubt && !overrides)
+      return standing(one.doubt->cause, one.doubt->reason, outside_ ? "" : one.sensor, one.lost ? "" : one.hint);
   if (!wanted_) return standing(Cause::NoCommand, "nobody has commanded the robot yet");
   const double age = now.steady - wanted_at_;
   if (age > settings_.command_timeout) return standing(Cause::NoCommand, "no command for " + measured(age, "s"));

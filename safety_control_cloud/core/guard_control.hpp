@@ -15,6 +15,7 @@
 #include "guard_memory.hpp"
 #include "guard_sensor.hpp"
 #include "settings.hpp"
+#include "unplaced.hpp"
 
 namespace safety_control_cloud {
 
@@ -84,10 +85,12 @@ class GuardControl {
 
   void forget_losses();
 
-  /// What each sensor remembers, in their order, and last what none shows any more.
+  /// What each sensor remembers, in their order, what is unplaced, and last what none shows any more. Before what a
+  /// sensor remembers stands its name, if it has one: who has none is the camera that drives in the other mode.
   std::vector<std::string> remembered() const;
 
-  /// Goes on with what another process remembered; false if it is not legible.
+  /// Goes on with what another process remembered, in either mode. False if not with all of it: for the rest the robot
+  /// stands.
   bool recall(const std::vector<std::string>& remembered);
 
   /// [s] until the next sensor or switch counts as silent, or what is wanted does not hold any more; infinite if none
@@ -102,7 +105,10 @@ class GuardControl {
 
  private:
   void explain_blindness(std::size_t sensor, const Origin& origin, const Instant& now);
+  std::string written_name(const GuardSensor& sensor) const;
+  bool go_on_with(const std::string& line);
   std::vector<Known> known_at(const Instant& now);
+  std::optional<Known> known_of_unplaced(const Instant& now);
   UnderWay under_way(const Twist2& wanted, const Instant& now) const;
   Allowed overridden(const Twist2& wanted, const std::vector<Known>& known, const Instant& now) const;
   Allowed allowed_now(const Instant& now, const std::vector<Known>& known) const;
@@ -114,6 +120,7 @@ class GuardControl {
   std::vector<GuardSensor> sensors_;
   ClosedEdges closed_;
   GuardMemory memory_;
+  Unplaced unplaced_;
   Odometry odometry_;
   Given given_;
   std::optional<Command> wanted_;

@@ -56,13 +56,10 @@ std::string GuardMemory::remembered() const {
 }
 
 bool GuardMemory::recall(const std::string& remembered) {
-  recalled_ = kept_places_in(remembered);
-  return recalled_ || remembered.empty();
-}
-
-/// Nobody knows as long as ROS time stands at zero.
-bool GuardMemory::is_over(const KeptPlaces& kept, const Instant& now) const {
-  return now.ros > 0.0 && !(std::abs(now.ros - kept.stamp) <= time_);
+  auto kept = kept_places_in(remembered);
+  if (!kept) return remembered.empty();
+  recalled_ = std::move(kept);
+  return true;
 }
 
 bool GuardMemory::may_have_gone(const Pose2& way, double seconds) const {
@@ -115,7 +112,8 @@ std::optional<Pose2> GuardMemory::note(std::size_t sensor, const Look& look, con
   choose_whereabouts(look.stamp, went, now);
   const auto robot = whereabouts_at(now.ros - look.stamp, went, now);
   if (robot) {
-    if (recalled_ && by_odometry_ && !is_over(*recalled_, now)) place_recalled(sensor, look.stamp, *robot, went, now);
+    if (recalled_ && by_odometry_ && !are_over(recalled_->stamp, now.ros, time_))
+      place_recalled(sensor, look.stamp, *robot, went, now);
     const auto as_told = went.given.whereabouts_at(now.steady - (now.ros - look.stamp));
     latest_ = Latest{look.stamp, now.steady, *robot, as_told};
     out_of_sight_.note(sensor, look, *robot, now.steady, way_during(look, went, now));
@@ -211,7 +209,7 @@ std::optional<Doubt> GuardMemory::doubt_at(const Instant& now, const Went& went,
 
 std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, const std::vector<GuardSensor>& sensors,
                                          const std::vector<bool>& shows, const Guard& guard) {
-  if (recalled_ && (is_over(*recalled_, now) || !remembers())) recalled_.reset();
+  if (recalled_ && (are_over(recalled_->stamp, now.ros, time_) || !remembers())) recalled_.reset();
   Known known;
   known.sensor = "memory";
   known.doubt = doubt_at(now, went, sensors);

@@ -39,8 +39,8 @@ class GuardMemory {
   /// What is placed by odometry, for another process to go on with; empty if nothing is.
   std::string remembered() const;
 
-  /// Goes on with that once odometry does from where it was; false if it is not legible. Until then nobody knows where
-  /// what it tells of is.
+  /// Goes on with that once odometry does from where it was; false, and nothing changes, if it is not legible. Until
+  /// then nobody knows where what it tells of is.
   bool recall(const std::string& remembered);
 
   /// Whether odometry did not go on since this was asked last, so that where the robot was by it is not known any more.
@@ -64,7 +64,6 @@ class GuardMemory {
                               const std::vector<bool>& shows, const Guard& guard);
 
  private:
-  bool is_over(const KeptPlaces& kept, const Instant& now) const;
   bool may_have_gone(const Pose2& way, double seconds) const;
   void place_recalled(std::size_t sensor, double stamp, const Whereabouts& robot, const Went& went, const Instant& now);
   static double looks_since(const Went& went, const Instant& now);

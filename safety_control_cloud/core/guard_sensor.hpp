@@ -81,7 +81,10 @@ class GuardSensor {
 
   void forget_losses();
   std::string remembered() const { return sensor_.remembered(); }
-  bool recall(const std::string& remembered) { return sensor_.recall(remembered); }
+  /// A laser, which remembers nothing, goes on with nothing either.
+  bool recall(const std::string& remembered) {
+    return own_.input == InputKind::Scan ? remembered.empty() : sensor_.recall(remembered);
+  }
 
   const std::string& name() const { return about_.name; }
   bool is_required() const { return about_.required; }

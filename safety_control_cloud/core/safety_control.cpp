@@ -44,39 +44,47 @@ void SafetyControl::worsen() {
 }
 
 void SafetyControl::forget_losses() {
+  unplaced_.forget();
   for (Sensor& sensor : sensors_) sensor.forget_losses();
 }
 
 std::vector<std::string> SafetyControl::remembered() const {
   std::vector<std::string> all;
   for (const Sensor& sensor : sensors_) all.push_back(sensor.remembered());
+  for (const std::string& text : unplaced_.texts()) all.push_back(text);
   return all;
 }
 
 bool SafetyControl::recall(const std::vector<std::string>& remembered) {
-  bool legible = remembered.size() == sensors_.size();
-  for (std::size_t i = 0; i < std::min(sensors_.size(), remembered.size()); ++i) {
-    legible = sensors_[i].recall(remembered[i]) && legible;
+  unplaced_.forget();
+  Sensor& camera = sensors_.front();
+  for (const std::string& text : remembered) {
+    const bool is_its_own = camera.remembered().empty() && camera.recall(text);
+    if (!text.empty() && !is_its_own) unplaced_.note(text);
   }
-  return legible;
+  return !unplaced_.any();
 }
 
 Decision SafetyControl::decide(const Reading& reading, const Origin& origin, const Instant& now, Crop crop) {
   sensors_.front().see(reading, origin, now, crop);
+  unplaced_.forget_old(now, settings_);
   return latched(verdict(), now.steady);
 }
 
 Decision SafetyControl::without_cloud(const Instant& now) {
   for (Sensor& sensor : sensors_) sensor.wait(now);
   // What fails to arrive may only worsen a zone.
-  const bool in_doubt = outside_ || std::any_of(sensors_.begin(), sensors_.end(), [](const Sensor& sensor) {
-                          return std::holds_alternative<Doubt>(sensor.answer());
-                        });
-  return in_doubt ? latched(verdict(), now.steady) : last_;
+  return outside_ || is_any_in_doubt() ? latched(verdict(), now.steady) : last_;
+}
+
+bool SafetyControl::is_any_in_doubt() const {
+  return std::any_of(sensors_.begin(), sensors_.end(),
+                     [](const Sensor& sensor) { return std::holds_alternative<Doubt>(sensor.answer()); });
 }
 
 Decision SafetyControl::verdict() const {
   if (outside_) return standing_for(*outside_, sensors_.front().counted());
+  if (unplaced_.any() && !is_any_in_doubt()) return standing_for(unplaced_, sensors_.front().counted());
   Decision worst = verdict_on(sensors_.front(), settings_.limits);
   for (std::size_t i = 1; i < sensors_.size(); ++i) {
     Decision other = verdict_on(sensors_[i], settings_.limits);

@@ -10,6 +10,7 @@
 #include "sensor.hpp"
 #include "settings.hpp"
 #include "speed/zone.hpp"
+#include "unplaced.hpp"
 
 namespace safety_control_cloud {
 
@@ -36,23 +37,27 @@ class SafetyControl {
   /// Forgets the near obstacles that were lost from sight: somebody has looked.
   void forget_losses();
 
-  /// What each sensor has near or lost, to outlive the process; empty text where nothing is.
+  /// What each sensor has near or lost, to outlive the process; empty text where nothing is. Then what is unplaced.
   std::vector<std::string> remembered() const;
 
-  /// Goes on with what another process remembered; false if it is not legible.
+  /// Goes on with what another process remembered, as a guard of one sensor too. False if not with all of it: for the
+  /// rest the robot stands.
   bool recall(const std::vector<std::string>& remembered);
 
   const Settings& settings() const { return settings_; }
 
  private:
-  /// The worst that the sensors say, of equals the first; before all of them a doubt from outside.
+  /// The worst that the sensors say, of equals the first; before all of them a doubt from outside, and what is
+  /// unplaced, unless a sensor is in doubt.
   Decision verdict() const;
+  bool is_any_in_doubt() const;
   const Decision& latched(Decision verdict, double now);
   void worsen();
 
   Settings settings_;
   std::vector<Sensor> sensors_;
   std::optional<Doubt> outside_;
+  Unplaced unplaced_;
   ZoneLatch latch_;
   Decision last_;
 };

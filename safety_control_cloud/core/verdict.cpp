@@ -48,6 +48,13 @@ Decision standing_for(const Doubt& doubt, const Sight& counted) {
   return decision;
 }
 
+Decision standing_for(const Unplaced& unplaced, const Sight& counted) {
+  Decision decision = standing_for(*unplaced.doubt(), counted);
+  decision.stuck_since = unplaced.since();
+  decision.hint = Unplaced::hint;
+  return decision;
+}
+
 Decision verdict_on(const Sensor& sensor, const ZoneLimits& limits) {
   if (const auto* doubt = std::get_if<Doubt>(&sensor.answer())) return standing_for(*doubt, sensor.counted());
   const auto& [sight, loss, is_cut_off] = std::get<Seen>(sensor.answer());

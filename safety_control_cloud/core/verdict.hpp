@@ -3,6 +3,7 @@
 
 #include "decision.hpp"
 #include "sensor.hpp"
+#include "unplaced.hpp"
 
 namespace safety_control_cloud {
 
@@ -11,6 +12,9 @@ Zone zone_of(const Sight& sight, const ZoneLimits& limits);
 
 /// To stand, for this doubt; `counted` is what the latest reading held.
 Decision standing_for(const Doubt& doubt, const Sight& counted);
+
+/// The same for what is unplaced, of which there is some.
+Decision standing_for(const Unplaced& unplaced, const Sight& counted);
 
 /// What one sensor by itself lets the robot do: the zone and why, before any latch; the speed is left at 0.
 Decision verdict_on(const Sensor& sensor, const ZoneLimits& limits);

@@ -119,7 +119,6 @@ TEST(GuardSensors, WhatEachRemembersOutlivesTheProcess) {
   ASSERT_TRUE(other.recall(remembered));
   EXPECT_EQ(other.remembered()[front], remembered[rear]) << "each is known by its name";
   EXPECT_FALSE(GuardControl(without_rear).recall(remembered));
-  EXPECT_FALSE(RobotWithSensors().control.recall({remembered[rear]}));
 }
 
 TEST(GuardSensors, TheSoonestToBeSilentIsTold) {

@@ -84,4 +84,6 @@ std::optional<KeptPlaces> kept_places_in(const std::string& text) {
   return kept;
 }
 
+bool are_over(double stamp, double now, double time) { return now > 0.0 && !(std::abs(now - stamp) <= time); }
+
 }  // namespace safety_control_cloud

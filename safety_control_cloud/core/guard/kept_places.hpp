@@ -29,4 +29,7 @@ std::string to_text(const KeptPlaces& kept);
 /// What was written down; none if the text is not whole, or of another version.
 std::optional<KeptPlaces> kept_places_in(const std::string& text);
 
+/// Whether those of this stamp are older than `time` [s], at `now` [s, ROS time]; nobody knows as long as that is zero.
+bool are_over(double stamp, double now, double time);
+
 }  // namespace safety_control_cloud

@@ -23,11 +23,12 @@ bool ask_master(const char* what, const std::string& name, XmlRpcValue& answer, 
   return ros::master::execute(what, request, response, answer, false);
 }
 
-std::optional<Texts> texts_in(XmlRpcValue& value) {
-  if (value.getType() != XmlRpcValue::TypeArray) return std::nullopt;
+/// What is no list of texts, nobody has written who could be asked: one text, which is not understood.
+Texts texts_in(XmlRpcValue& value) {
+  if (value.getType() != XmlRpcValue::TypeArray) return {value.toXml()};
   Texts texts;
   for (int i = 0; i < value.size(); ++i) {
-    if (value[i].getType() != XmlRpcValue::TypeString) return std::nullopt;
+    if (value[i].getType() != XmlRpcValue::TypeString) return {value.toXml()};
     texts.push_back(value[i]);
   }
   return texts;
@@ -35,7 +36,7 @@ std::optional<Texts> texts_in(XmlRpcValue& value) {
 
 std::optional<Texts> texts_on_server(const std::string& name) {
   XmlRpcValue value;
-  return ask_master("getParam", name, value) ? texts_in(value) : std::nullopt;
+  return ask_master("getParam", name, value) ? std::optional(texts_in(value)) : std::nullopt;
 }
 
 bool write_to_server(const std::string& name, const Texts& texts) {

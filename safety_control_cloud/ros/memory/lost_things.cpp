@@ -10,7 +10,9 @@ namespace {
 
 constexpr double reset_period = 1.0;  ///< [s] a program that resets again and again is as good as no memory
 constexpr double kept_period = 0.5;   ///< [s] after which what is near is written down though the cause is the same
-constexpr char nothing_known[] = "the ROS master tells nothing of what was near before this start";
+constexpr char nothing_told[] = "the ROS master tells nothing of what was near before this start";
+constexpr char not_placed[] =
+    "the ROS master tells of something near or lost before this start that this node cannot place";
 
 }  // namespace
 
@@ -18,9 +20,15 @@ LostThings::LostThings(ros::NodeHandle& private_handle, Control control, Keepsak
     : control_(std::move(control)),
       warn_(std::move(warn)),
       keepsake_(private_handle, warn_),
-      known_(keepsake_.found() && control_.recall(*keepsake_.found())),
+      unknown_(recall()),
       reset_(private_handle.advertiseService("reset", &LostThings::on_reset, this)) {
-  if (!known_) warn_(nothing_known);
+  if (!unknown_.empty()) warn_(unknown_);
+}
+
+std::string LostThings::recall() const {
+  const auto& found = keepsake_.found();
+  if (!found || found->empty()) return nothing_told;
+  return control_.recall(*found) ? "" : not_placed;
 }
 
 void LostThings::keep(Cause cause) {
@@ -31,8 +39,8 @@ void LostThings::keep(Cause cause) {
 }
 
 Doubt LostThings::nothing_seen(const std::string& why) const {
-  return {Cause::NoCloud, std::string("no cloud has arrived yet") +
-                              (known_ ? "; " : std::string(", and ") + nothing_known + "; ") + why};
+  const std::string known = unknown_.empty() ? "" : ", and " + unknown_;
+  return {Cause::NoCloud, "no cloud has arrived yet" + known + "; " + why};
 }
 
 bool LostThings::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& answer) {
@@ -43,6 +51,7 @@ bool LostThings::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Respon
   if (!answer.success) return true;
   last_reset_ = ros::SteadyTime::now();
   control_.forget();
+  unknown_.clear();
   keepsake_.keep(control_.remembered());
   return true;
 }

@@ -19,7 +19,7 @@ namespace safety_control_cloud {
 class LostThings {
  public:
   struct Control {
-    std::function<bool(const std::vector<std::string>&)> recall;  ///< false: not legible
+    std::function<bool(const std::vector<std::string>&)> recall;  ///< false: not with all
     std::function<std::vector<std::string>()> remembered;
     std::function<void()> forget;
   };
@@ -41,16 +41,17 @@ class LostThings {
   /// Writes down what is remembered, if `cause` is another than before or it was long ago.
   void keep(Cause cause);
 
-  /// Nothing has been seen yet, and why. The reason says so where nobody knows what was near before, either.
+  /// Nothing has been seen yet, and why. The reason says so where nobody knows what was near before, or where.
   Doubt nothing_seen(const std::string& why) const;
 
  private:
+  std::string recall() const;
   bool on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& answer);
 
   const Control control_;
   const Keepsake::Say warn_;
   Keepsake keepsake_;
-  const bool known_;
+  std::string unknown_;  ///< why not all is known that was near before, until somebody has looked; empty: it is
   std::optional<Cause> cause_;
   ros::SteadyTime last_kept_, last_reset_;
   ros::ServiceServer reset_;
