@@ -12,21 +12,43 @@ namespace {
 
 constexpr const char* version = "things-1";
 constexpr const char* end = "end";
-constexpr std::size_t most_things = 8, most_spots = 12, most_columns = NearGround::most_columns * 2;
-constexpr std::size_t most_pixels = 65535;
+constexpr const char* too_much = "things-1 more is lost than can be told";  // which kept_in refuses
+constexpr std::size_t most_things = 32, most_spots = 12, most_spots_lost = 8;
+constexpr std::size_t most_columns = NearGround::most_columns * 2, most_pixels = 65535;
 
-std::vector<Spot> some_of(const Remembered& thing) {
-  std::vector<Spot> all = thing.lost, some;
-  all.insert(all.end(), thing.seen.spots.begin(), thing.seen.spots.end());
-  const std::size_t step = std::max<std::size_t>(1, (all.size() + most_spots - 1) / most_spots);
+/// So many at most, evenly; they stand for all.
+std::vector<Spot> some_of(const std::vector<Spot>& all, std::size_t most) {
+  std::vector<Spot> some;
+  if (all.empty()) return some;
+  const std::size_t step = std::max<std::size_t>(1, (all.size() + most - 1) / most);
   for (std::size_t i = 0; i < all.size(); i += step) some.push_back(all[i]);
   const double share = size_of(all) / static_cast<double>(some.size());
   for (Spot& spot : some) spot.share = static_cast<float>(share);
   return some;
 }
 
+/// What is lost of a large thing may be little of it.
+std::vector<Spot> spots_of(const Remembered& thing) {
+  auto spots = some_of(thing.lost, thing.is_seen() ? most_spots_lost : most_spots);
+  const auto seen = some_of(thing.seen.spots, most_spots - spots.size());
+  spots.insert(spots.end(), seen.begin(), seen.end());
+  return spots;
+}
+
+bool is_any_lost(const Remembered& thing) { return !thing.lost.empty(); }
+
+/// All that are lost, and of those that are only seen, and will be seen again, the nearest.
+std::vector<Remembered> as_many_of(std::vector<Remembered> things) {
+  const auto seen = std::partition(things.begin(), things.end(), is_any_lost);
+  const auto nearer = [](const Remembered& a, const Remembered& b) { return a.seen.nearest < b.seen.nearest; };
+  std::sort(seen, things.end(), nearer);
+  const auto lost = static_cast<std::size_t>(seen - things.begin());
+  things.resize(std::min(things.size(), std::max(lost, most_things)));
+  return things;
+}
+
 void write(const Remembered& thing, std::ostream& to) {
-  const auto spots = some_of(thing);
+  const auto spots = spots_of(thing);
   to << ' ' << thing.size << ' ' << thing.vanished << ' ' << spots.size();
   for (const Spot& spot : spots) {
     to << ' ' << spot.row << ' ' << spot.column << ' ' << spot.point.x << ' ' << spot.point.y << ' ' << spot.point.z
@@ -62,12 +84,9 @@ Remembered thing_in(Reader& reader) {
 
 std::string to_text(const Kept& kept) {
   const bool low = std::any_of(kept.low.begin(), kept.low.end(), [](int floor) { return floor > 0; });
-  if (kept.things.empty() && !low && kept.blind_range == 0.0f) return {};
-  std::vector<Remembered> things = kept.things;
-  std::sort(things.begin(), things.end(), [](const Remembered& a, const Remembered& b) {
-    return size_of(a.lost) + a.seen.size > size_of(b.lost) + b.seen.size;
-  });
-  things.resize(std::min(things.size(), most_things));
+  if (kept.things.empty() && !low && kept.blind_range == 0.0f && !kept.more) return {};
+  const std::vector<Remembered> things = as_many_of(kept.things);
+  if (kept.more || things.size() > most_things) return too_much;
   std::ostringstream text;
   text.precision(5);
   text << version << ' ' << kept.width << ' ' << kept.height << ' ' << kept.blind_range << ' ' << things.size();

@@ -16,9 +16,11 @@ struct Kept {
   float blind_range = 0.0f;           ///< [m] learned
   std::vector<Remembered> things;
   std::vector<NearGround::Code> low;  ///< LowObstacles::floor()
+  bool more = false;                  ///< is lost than this tells of
 };
 
-/// A line of text of at most a few kilobytes: of each thing only some spots. Empty if there is nothing to keep.
+/// A line of text of at most 30 kilobytes: of each thing only some spots. Empty if there is nothing to keep. Where more
+/// is lost than fits into it, it says only that, and is not read again: nobody knows then where they all are.
 std::string to_text(const Kept& kept);
 
 /// What was written down; none if the text is not whole, or of another version. Nothing of it is seen now.

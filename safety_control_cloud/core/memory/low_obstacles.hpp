@@ -41,6 +41,8 @@ class LowObstacles {
 
   /// Of each column, the floor before a step that is kept [mm below the camera]; 0 if there is none.
   const std::vector<NearGround::Code>& floor() const { return floor_; }
+  /// Whether there are others, beside the picture.
+  bool any_beside() const { return !beside_.empty(); }
   void restore(std::vector<NearGround::Code> floor) { floor_ = std::move(floor); }
 
  private:

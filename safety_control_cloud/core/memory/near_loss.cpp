@@ -225,7 +225,8 @@ void NearLoss::write_down(bool lost, double now) {
   if (!changed && now - written_at_ < write_period) return;
   std::vector<Remembered> near;
   std::copy_if(things.begin(), things.end(), std::back_inserter(near), is_near);
-  text_ = to_text({frame_.width, frame_.height, things_.blind_range(), std::move(near), low_.floor()});
+  text_ =
+      to_text({frame_.width, frame_.height, things_.blind_range(), std::move(near), low_.floor(), low_.any_beside()});
   written_at_ = now;
   written_lost_ = lost;
 }

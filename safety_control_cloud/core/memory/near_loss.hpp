@@ -39,7 +39,7 @@ class NearLoss {
   void limit(const NearLossLimits& limits) { limits_ = limits; }  ///< what came near is judged by them from now on
   void forget();                                                  ///< asked by ~reset; a clock that jumps does not
 
-  /// What is lost or near, in a few kilobytes of text, to outlive the process; empty if nothing is.
+  /// What is lost or near, in some kilobytes of text, to outlive the process; empty if nothing is.
   /// Brought up to date four times a second, and at once when something is lost or found or nothing is near any more.
   const std::string& serialised() const { return text_; }
   /// Goes on with what was written down; false, and nothing changes, if that makes no sense.

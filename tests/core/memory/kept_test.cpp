@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <utility>
 
 #include "../../../safety_control_cloud/core/look/look.hpp"
 #include "../../../safety_control_cloud/core/memory/near_loss.hpp"
@@ -54,6 +56,86 @@ TEST(Kept, WhateverItsSizeItCanBeReadAgain) {
     judged(memory, Scene({{nearness(random), left, right, top, bottom}}));
     EXPECT_TRUE(memory.serialised().empty() || reborn.restore(memory.serialised())) << i;
   }
+}
+
+/// Strips side by side, and the narrowest of them.
+struct Fringe {
+  std::vector<Board> strips;
+  Board thin;
+
+  Fringe(std::size_t count, float z) : thin{z, -0.008f, 0.008f, -0.05f, 0.02f} {
+    for (std::size_t i = 0; i < count; ++i) {
+      const float left = -0.24f + 0.044f * static_cast<float>(i);
+      if (left + 0.03f < thin.x_min - 0.01f || left > thin.x_max + 0.01f)
+        strips.push_back({z, left, left + 0.03f, -0.1f, 0.05f});
+    }
+  }
+
+  std::vector<Board> all() const {
+    std::vector<Board> boards = strips;
+    boards.push_back(thin);
+    return boards;
+  }
+};
+
+TEST(Kept, TheSmallestOfManyThatAreLostOutlivesTheProcessToo) {
+  const Fringe near(12, 0.45f), blind(12, 0.35f);
+  ASSERT_GT(near.all().size(), std::size_t{8});
+  NearLoss memory{NearLossLimits{}}, reborn{NearLossLimits{}};
+  for (int i = 0; i < 5; ++i) judged(memory, Scene(near.all()));
+  for (int i = 0; i < 3; ++i) judged(memory, Scene(blind.all()));
+  ASSERT_TRUE(reborn.restore(memory.serialised()));
+  for (int i = 0; i < 30; ++i) {
+    const auto loss = judged(reborn, Scene({blind.thin, wall}));
+    ASSERT_TRUE(loss) << "the others have been taken away, cloud " << i;
+  }
+}
+
+Remembered lost_at(std::uint16_t column) {
+  Remembered thing;
+  Spot spot;
+  spot.column = column;
+  spot.point = Point(0.0f, 0.0f, 0.5f);
+  spot.share = 0.01f;
+  thing.lost = {spot};
+  thing.size = 0.01;
+  return thing;
+}
+
+TEST(Kept, MoreThanCanBeToldAreNotForgottenInPart) {
+  Kept kept{640, 480, 0.0f, {}, {}};
+  for (std::uint16_t i = 0; i < 200; ++i) {
+    kept.things.push_back(lost_at(i));
+    const std::string text = to_text(kept);
+    ASSERT_FALSE(text.empty());
+    const auto read = kept_in(text);
+    EXPECT_TRUE(!read || read->things.size() == kept.things.size()) << i;
+    EXPECT_EQ(read.has_value(), i < 32) << i;
+  }
+}
+
+TEST(Kept, WhatIsLostGoesBeforeWhatIsOnlySeen) {
+  Kept kept{640, 480, 0.0f, {}, {}};
+  for (std::uint16_t i = 0; i < 100; ++i) {
+    kept.things.push_back(lost_at(i));
+    if (i != 50) std::swap(kept.things.back().lost, kept.things.back().seen.spots);
+  }
+  const auto read = kept_in(to_text(kept));
+  ASSERT_TRUE(read);
+  const auto is_the_lost = [](const Remembered& thing) { return thing.lost.front().column == 50; };
+  EXPECT_TRUE(std::any_of(read->things.begin(), read->things.end(), is_the_lost));
+}
+
+TEST(Kept, TheLittleThatIsLostOfALargeThingIsWrittenDown) {
+  Kept kept{640, 480, 0.0f, {lost_at(600)}, {}};
+  kept.things.front().lost.assign(8, lost_at(600).lost.front());
+  kept.things.front().seen.spots.assign(500, lost_at(1).lost.front());
+  const auto read = kept_in(to_text(kept));
+  ASSERT_TRUE(read);
+  const auto& spots = read->things.front().lost;
+  const auto is_of_the_lost = [](const Spot& spot) { return spot.column == 600; };
+  EXPECT_GE(std::count_if(spots.begin(), spots.end(), is_of_the_lost), 4);
+  EXPECT_NEAR(size_of(spots), 5.08, 0.01);
 }
 
 TEST(Kept, KerbThatHidTheFloorOutlivesTheProcess) {

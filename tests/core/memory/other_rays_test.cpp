@@ -219,6 +219,19 @@ TEST_P(OtherRays, WhatIsLostOutlivesTheProcessIntoAnotherPicture) {
   }
 }
 
+TEST_P(OtherRays, AKerbThatHasLeftThePictureOutlivesTheProcess) {
+  const Lens whole, after = whole.part(0, 0, 160, 80);
+  const Board far = {0.74f, -0.1f, 0.1f, floor_y - 0.05f, floor_y},
+              near = {0.62f, -0.1f, 0.1f, floor_y - 0.05f, floor_y};
+  Looking robot, reborn;
+  for (int i = 0; i < 3; ++i) robot.sees({}, whole, GetParam());
+  for (int i = 0; i < 3; ++i) robot.sees({far}, whole, GetParam());
+  for (int i = 0; i < 10; ++i) robot.sees({near}, whole, GetParam());
+  for (int i = 0; i < 10; ++i) ASSERT_EQ(robot.sees({near}, after, GetParam()).speed, 0.0);
+  reborn.control().recall(robot.control().remembered());
+  for (int i = 0; i < 40; ++i) ASSERT_EQ(reborn.sees({near}, after, GetParam()).speed, 0.0) << i;
+}
+
 TEST_P(OtherRays, AKerbThatIsTooNearStaysWhenThePictureChanges) {
   const Lens whole;
   const auto kerb = [](float z, float x) { return Board{z, x - 0.1f, x + 0.1f, floor_y - 0.05f, floor_y}; };
