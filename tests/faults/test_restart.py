@@ -10,20 +10,45 @@ from pathlib import Path
 
 import pytest
 import rospy
-from lost_board import FREE, robot_that_lost_a_board
+from geometry_msgs.msg import Twist
+from guarded import guarded_robot, twist
+from lost_board import BOARD, FREE, PASSED, robot_that_lost_a_board
 from robot import NODE, START, Heard, after, eventually, node_under_test, robot_with
+from scenes import hall, wall
 from std_srvs.srv import Trigger
 
 from safety_control_cloud.msg import SafetyState
 
+NOTHING_TOLD = "the ROS master tells nothing of what was near before this start"
+NOT_PLACED = "the ROS master tells of something near or lost before this start that this node cannot place"
+NONSENSE = (["pixels 4294967295 4294967295 0 1 0 1 5"], ["things-2 1 2 3"], ["point nan 0 0"], 7, ["x"] * 9, [["x"]])
+
 
 @contextmanager
-def killed_and_started_again(robot):
+def killed_and_started_again(robot, *arguments):
     robot.process.send(signal.SIGKILL)
     robot.process.wait(5.0)
     robot.camera.changes()
-    with node_under_test() as robot.process:
+    with node_under_test(*arguments) as robot.process:
         yield
+
+
+@contextmanager
+def guarded_robot_that_lost_a_board():
+    """It is driven on."""
+    with guarded_robot() as robot:
+        robot.driver.say(twist(0.2))
+        robot.passes(twist(0.2))
+        robot.camera.show(hall(BOARD, wall(3.0)))
+        time.sleep(0.6)
+        robot.camera.show(hall(PASSED, wall(3.0)))
+        robot.stands("NEAR_LOSS")
+        eventually(lambda: any(rospy.get_param(NODE + "_lost/things")))
+        yield robot
+
+
+def forget():
+    assert rospy.ServiceProxy(NODE + "/reset", Trigger)().success
 
 
 def test_a_node_that_is_killed_while_something_is_lost_stands_until_it_is_seen_to_have_gone(master):
@@ -59,16 +84,63 @@ def test_reset_frees_what_was_lost_before_the_start_and_is_logged_and_counted(ma
         robot.states.until(lambda state: state.resets == 2)
 
 
-def test_what_makes_no_sense_on_the_parameter_server_keeps_no_node_from_starting(master):
-    for nonsense in (["pixels 4294967295 4294967295 0 1 0 1 5"], ["pixels 2 2 0 9 0 9 5"], ["point nan 0 0"], [""], 7, ["x"] * 9):
+def test_what_a_guard_lost_is_lost_for_a_node_in_mode_drive_and_for_the_next_guard(master):
+    with guarded_robot_that_lost_a_board() as robot:
+        commands = Heard("/cmd_vel_mux/input/teleop", Twist)
+        with killed_and_started_again(robot, "_mode:=drive"):
+            robot.states.until(lambda state: "as before this start" in state.reason)
+            time.sleep(1.0)
+            assert robot.states.all()[-1].cause_text == "NEAR_LOSS"
+            assert {command.linear.x for command in commands.all()} == {0.0}
+            assert NOTHING_TOLD not in robot.process.output() and NOT_PLACED not in robot.process.output()
+            with killed_and_started_again(robot, "_mode:=guard"):
+                robot.states.until(lambda state: "as before this start" in state.reason)
+                robot.stands("NEAR_LOSS")
+                robot.camera.show(FREE)
+                robot.passes(twist(0.2))
+        commands.close()
+
+
+def test_what_a_camera_lost_that_bears_another_name_by_now_stops_the_robot_until_reset(master):
+    with guarded_robot_that_lost_a_board() as robot:
+        rospy.set_param(NODE + "/sensors", [{"name": "front", "type": "cloud", "topic": "camera/depth/points"}])
+        with killed_and_started_again(robot):
+            robot.states.until(lambda state: "what was near or lost before this start cannot be placed" in state.reason)
+            assert "~reset" in robot.stands("NEAR_LOSS").hint
+            robot.camera.show(FREE)
+            robot.driver.say(twist(-0.1))
+            robot.stands("NEAR_LOSS")
+            assert NOT_PLACED in robot.process.output() and NOTHING_TOLD not in robot.process.output()
+            assert any(rospy.get_param(NODE + "_lost/things")), "for the next one"
+            forget()
+            robot.driver.say(twist(0.2))
+            robot.passes(twist(0.2))
+            eventually(lambda: not any(rospy.get_param(NODE + "_lost/things")))
+
+
+def test_what_makes_no_sense_on_the_parameter_server_stops_the_robot_until_reset(master):
+    for nonsense in NONSENSE:
         rospy.set_param(NODE + "_lost/things", nonsense)
         with node_under_test() as running, robot_with(running, FREE) as robot:
+            robot.states.until(lambda state: state.cause_text == "NEAR_LOSS")
+            assert "~reset" in robot.states.all()[-1].hint
+            robot.camera.changes()
+            robot.stops("NEAR_LOSS")
+            forget()
+            robot.camera.changes()
             robot.drives(within=START)
 
 
-@pytest.mark.parametrize("found", [None, ["nonsense"]], ids=["nothing", "nonsense"])
+def test_a_node_before_which_nothing_was_near_drives(master):
+    rospy.set_param(NODE + "_lost/things", [""])
+    with node_under_test() as running, robot_with(running, FREE) as robot:
+        robot.drives(within=START)
+        assert NOTHING_TOLD not in running.output()
+
+
+@pytest.mark.parametrize("found, told", [(None, NOTHING_TOLD), (["nonsense"], NOT_PLACED)], ids=["nothing", "nonsense"])
 @pytest.mark.parametrize("mode", ["drive", "guard"])
-def test_a_node_that_knows_nothing_of_before_says_so_and_what_it_waits_for(master, mode, found):
+def test_a_node_that_does_not_know_what_was_before_says_so_and_what_it_waits_for(master, mode, found, told):
     if rospy.has_param(NODE + "_lost"):
         rospy.delete_param(NODE + "_lost")  # what a node of another test wrote as it ended
     if found:
@@ -77,9 +149,11 @@ def test_a_node_that_knows_nothing_of_before_says_so_and_what_it_waits_for(maste
     with node_under_test("_mode:=" + mode) as running:
         state = states.until(lambda state: "/camera/depth/points" in state.reason)
         assert (state.cause_text, state.speed) == ("NO_CLOUD", 0.0)
-        assert "the ROS master tells nothing of what was near before this start" in state.reason
-        eventually(lambda: "the ROS master tells nothing of what was near before this start" in running.output())
+        assert told in state.reason
+        eventually(lambda: told in running.output())
         with robot_with(running, FREE) as robot:
+            if found:
+                forget()
             if mode == "drive":
                 robot.drives(within=START)
             else:

@@ -347,7 +347,7 @@ class GuardControl:
     def remembered(self) -> List[str]:
         """As SafetyControl's."""
     def recall(self, remembered: List[str]) -> bool:
-        """Goes on with what another one remembered; False if that is not legible."""
+        """Goes on with what another one remembered; False if not with all of it: for the rest the robot stands."""
 
 def look(
     cloud: Union[Cloud, np.ndarray], settings: Settings = ..., crop: bool = False, camera: Optional[np.ndarray] = None
