@@ -101,7 +101,7 @@ def test_the_readmes_topics_are_the_nodes():
     table = README.read_text().split("## Topics")[1].split("\n## ")[0] + (SOURCES / "GUARD.md").read_text()
     told = set(re.findall(r"^\| (?:in|out|service) \| `[~/]?([\w/]+)` \|", table, re.MULTILINE))
     sources = "".join(path.read_text() for path in sorted((SOURCES / "ros").rglob("*.cpp")))
-    made = set(re.findall(r'advertise(?:Service)?(?:<[\w:]+>)?\("([\w/]+)"', sources)) | {"cmd_vel_mux/input/teleop"}
+    made = set(re.findall(r'advertise(?:Service)?(?:<[\w:]+>)?\((?:named_in\(handle, )?"([\w/]+)"', sources)) | {"cmd_vel_mux/input/teleop"}
     made |= set(re.findall(r'"(camera/depth/\w+)"', sources)) | {"tf", "diagnostics"}  # by libraries
     made |= {"cmd_vel_in", "odom", "footprint", "cmd_vel"}  # of the guard
     assert told == made
