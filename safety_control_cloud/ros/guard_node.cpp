@@ -37,8 +37,9 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
       commands_(handle, named_in(handle, "cmd_vel"), [this] { on_quiet(); }),
       base_(settings.base_frame),
       reports_(private_handle, log_),
-      lost_things_(private_handle, LostThings::of(control_, reports_),
-                   [this](const std::string& line) { log_.warn(line); }),
+      lost_things_(
+          private_handle, LostThings::of(control_, reports_), [this](const std::string& line) { log_.warn(line); },
+          [this] { return may_have_waited(now()); }),
       quiet_(*handle.getCallbackQueue(), [this] { on_quiet(); }),
       reconfigure_(
           private_handle, settings,
@@ -82,14 +83,14 @@ GuardNode::~GuardNode() {
 
 void GuardNode::on_wanted(const geometry_msgs::Twist& wanted, std::optional<double> stamp) {
   const Instant came = now();
-  gap_.beat(came, control_.settings());
-  const bool may_be_old = !stamp && may_have_waited(came);
+  const bool waited = may_have_waited(came), may_be_old = !stamp && waited;
   if (!may_be_old) control_.want(to_command(wanted), came, stamp);
   publish(answer());
 }
 
 /// What has no stamp, and waited in a socket while the process stood still, is told from nothing.
-bool GuardNode::may_have_waited(const Instant& came) const {
+bool GuardNode::may_have_waited(const Instant& came) {
+  gap_.beat(came, control_.settings());
   return gap_.has_gone_on_within(control_.settings().command_timeout, came);
 }
 
@@ -150,7 +151,6 @@ void GuardNode::on_quiet() {
 
 bool GuardNode::on_override(OverrideRequest& wish, OverrideResponse& response) {
   const Instant came = now();
-  gap_.beat(came, control_.settings());
   const OverrideReply reply = may_have_waited(came)
                                   ? OverrideReply{false, "refused: this node had stood still until just now; ask again"}
                                   : control_.ask_override({wish.seconds, wish.speed, wish.even_in_doubt != 0}, came);

@@ -19,8 +19,9 @@ SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, D
       commands_(handle, named_in(handle, "cmd_vel_mux/input/teleop"), [this] { on_quiet(); }),
       output_(handle.advertise<sensor_msgs::PointCloud2>(named_in(handle, "output"), 1)),
       reports_(private_handle, log_),
-      lost_things_(private_handle, LostThings::of(control_, reports_),
-                   [this](const std::string& line) { log_.warn(line); }),
+      lost_things_(
+          private_handle, LostThings::of(control_, reports_), [this](const std::string& line) { log_.warn(line); },
+          [this] { return may_have_waited(now()); }),
       quiet_(*handle.getCallbackQueue(), [this] { on_quiet(); }),
       reconfigure_(
           private_handle, settings, [this](const Settings& changed) { control_.adopt(changed); }, log_),
@@ -68,6 +69,12 @@ Decision SafetyNode::decide(const Arrival& arrival, const Instant& came) {
 
 Placing SafetyNode::placing_of(const std_msgs::Header& cloud) const {
   return camera_place_ ? camera_place_->at(cloud) : Placing(OpticalFrame{});
+}
+
+/// What somebody asks, while the process stood still.
+bool SafetyNode::may_have_waited(const Instant& came) {
+  gap_.beat(came, control_.settings());
+  return gap_.has_gone_on_within(control_.settings().command_timeout, came);
 }
 
 void SafetyNode::on_quiet() {

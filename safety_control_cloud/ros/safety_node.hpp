@@ -36,6 +36,7 @@ class SafetyNode : public Node {
 
  private:
   void on_arrival(const Arrival& arrival);
+  bool may_have_waited(const Instant& came);
   void on_quiet();
 
   Decision decide(const Arrival& arrival, const Instant& came);

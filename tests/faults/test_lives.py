@@ -4,13 +4,18 @@ import os
 import signal
 import subprocess
 import sys
+import time
 import xmlrpc.client
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 import rosgraph
+import rospy
+from lost_board import robot_that_lost_a_board
 from robot import AGAIN, GRACE, NODE, START, after, robot_with
 from scenes import hall, wall
+from std_srvs.srv import Trigger
 
 from safety_control_cloud.processes import OF_ROSLAUNCH, process
 
@@ -41,6 +46,18 @@ def test_an_obstacle_that_came_while_the_node_was_stopped_is_never_driven_at(rob
     assert {command.linear.x for _, command in after(robot.camera.changed_at, robot.commands)} == {0.0}
     robot.camera.show(hall())
     robot.drives()
+
+
+def test_a_reset_that_waited_while_the_node_was_stopped_is_refused(master):
+    with robot_that_lost_a_board() as robot, ThreadPoolExecutor() as somebody:
+        robot.process.send(signal.SIGSTOP)
+        answer = somebody.submit(rospy.ServiceProxy(NODE + "/reset", Trigger))
+        time.sleep(2.0)
+        robot.camera.changes()
+        robot.process.send(signal.SIGCONT)
+        assert (answer.result(10.0).success, answer.result().message) == (
+            False, "refused: this node had stood still until just now; ask again")
+        robot.stops("NEAR_LOSS", within=AGAIN)
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda number: number.name)

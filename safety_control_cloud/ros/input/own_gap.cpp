@@ -12,8 +12,9 @@ namespace {
 /// [s] in which a node that runs does something.
 double limit(const Settings& settings) { return std::max(settings.source_timeout, 2.0 / settings.publish_rate); }
 
-/// [s] in which a guard that runs does something, or what is asked meanwhile holds anyway.
+/// [s] in which a node that runs does something, or what is asked meanwhile holds anyway.
 double limit_of_wishes(const Settings& settings) {
+  if (settings.mode == Mode::Drive) return limit(settings);
   return std::max(settings.command_timeout,
                   2.0 * std::min(1.0 / settings.publish_rate, settings.stopping.sensor_period));
 }

@@ -16,9 +16,11 @@ constexpr char not_placed[] =
 
 }  // namespace
 
-LostThings::LostThings(ros::NodeHandle& private_handle, Control control, Keepsake::Say warn)
+LostThings::LostThings(ros::NodeHandle& private_handle, Control control, Keepsake::Say warn,
+                       std::function<bool()> may_have_waited)
     : control_(std::move(control)),
       warn_(std::move(warn)),
+      may_have_waited_(std::move(may_have_waited)),
       keepsake_(private_handle, warn_),
       unknown_(recall()),
       reset_(private_handle.advertiseService("reset", &LostThings::on_reset, this)) {
@@ -43,10 +45,17 @@ Doubt LostThings::nothing_seen(const std::string& why) const {
   return {Cause::NoCloud, "no cloud has arrived yet" + known + "; " + why};
 }
 
+/// Empty: none.
+std::string LostThings::refusal() const {
+  if (may_have_waited_()) return "refused: this node had stood still until just now; ask again";
+  const bool is_soon = !last_reset_.isZero() && seconds_since(last_reset_) < reset_period;
+  return is_soon ? "refused: near obstacles are forgotten at most once a second" : "";
+}
+
 bool LostThings::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& answer) {
-  answer.success = last_reset_.isZero() || seconds_since(last_reset_) >= reset_period;
-  answer.message = answer.success ? "near obstacles lost from sight are forgotten"
-                                  : "refused: near obstacles are forgotten at most once a second";
+  const std::string refused = refusal();
+  answer.success = refused.empty();
+  answer.message = answer.success ? "near obstacles lost from sight are forgotten" : refused;
   warn_("~reset: " + answer.message);
   if (!answer.success) return true;
   last_reset_ = ros::SteadyTime::now();

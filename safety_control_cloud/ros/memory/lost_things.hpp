@@ -35,8 +35,10 @@ class LostThings {
             }};
   }
 
-  /// Recalls at once what another process remembered.
-  LostThings(ros::NodeHandle& private_handle, Control control, Keepsake::Say warn);
+  /// Recalls at once what another process remembered. `may_have_waited`: whether a wish that comes now may have done so
+  /// while this process stood still.
+  LostThings(ros::NodeHandle& private_handle, Control control, Keepsake::Say warn,
+             std::function<bool()> may_have_waited);
 
   /// Writes down what is remembered, if `cause` is another than before or it was long ago.
   void keep(Cause cause);
@@ -46,10 +48,12 @@ class LostThings {
 
  private:
   std::string recall() const;
+  std::string refusal() const;
   bool on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& answer);
 
   const Control control_;
   const Keepsake::Say warn_;
+  const std::function<bool()> may_have_waited_;
   Keepsake keepsake_;
   std::string unknown_;  ///< why not all is known that was near before, until somebody has looked; empty: it is
   std::optional<Cause> cause_;

@@ -37,6 +37,7 @@ TEST(OwnGap, ACloudFromBeforeTheNodeWentOnIsDoubtedForAShortTime) {
 /// However patient it is with its camera.
 TEST(OwnGap, WhatWasAskedOfWhoStoodStillForLongerThanACommandHoldsMayHaveWaited) {
   Settings patient = limit;
+  patient.mode = Mode::Guard;
   patient.source_timeout = 10.0;
   patient.command_timeout = 0.5;
   for (const double stood : {0.4, 0.6, 4.0}) {
