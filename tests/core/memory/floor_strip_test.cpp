@@ -96,5 +96,93 @@ TEST(FloorStrip, StrayReturnsDoNotUncoverTheFloor) {
   }
 }
 
+/// Pitched, the strip is of more rows, or of two alone.
+constexpr float pitches[] = {0.0f, -0.05f, 0.01f};
+
+TEST(FloorStrip, RobotDrivesOverAnEmptyFloorOfWhichLowLightShowsOneHalfByChance) {
+  for (const float nose_up : pitches) {
+    for (const unsigned seed : {1u, 2u, 3u}) {
+      std::mt19937 random(seed);
+      Robot robot;
+      for (int i = 0; i < 300; ++i) {
+        ASSERT_GT(robot.sees(Scene({}, nose_up).drop(0.5, random)).speed, 0.0)
+            << nose_up << ", seed " << seed << " after " << i;
+      }
+    }
+  }
+}
+
+/// As many clouds until the robot stands; it never drives on then, however dark it gets.
+int clouds_until_it_stands(Robot& robot, const Scene& hidden, double dropped, double strays, std::mt19937& random) {
+  int before = 0;
+  for (int i = 0; i < 60; ++i) {
+    const bool stands =
+        robot.sees(Scene(hidden).drop(i < 30 ? dropped : 0.75, random).stray(strays, random)).speed <= 0;
+    if (!stands && before < i) return 1000;
+    before += !stands;
+  }
+  return before;
+}
+
+TEST(FloorStrip, RobotStandsForWhatSlidesInTooNearToBeSeenThoughLowLightBlanksTheFloorByChance) {
+  for (const float nose_up : {0.0f, 0.01f}) {
+    for (const float width : {0.025f, 0.1f}) {
+      const Scene hidden({post(0.33f, 0.03f, width)}, nose_up);
+      for (const double dropped : {0.0, 0.3, 0.5}) {
+        for (const double strays : {0.0, 0.001, 0.1}) {
+          std::mt19937 random(7);
+          Robot robot;
+          for (int i = 0; i < 12; ++i) robot.sees(Scene({}, nose_up).drop(dropped, random).stray(strays, random));
+          const int clouds = clouds_until_it_stands(robot, hidden, dropped, strays, random);
+          EXPECT_LT(clouds, dropped > 0.0 ? 10 : 1) << nose_up << ", " << width << ", " << dropped << ", " << strays;
+        }
+      }
+    }
+  }
+}
+
+TEST(FloorStrip, RobotStandsForAPostThatWasTooNearToBeSeenFromTheStartInLowLight) {
+  for (const double dropped : {0.3, 0.5}) {
+    std::mt19937 random(7);
+    Robot robot;
+    EXPECT_LT(clouds_until_it_stands(robot, Scene({post(0.33f, 0.0f, 0.025f)}), dropped, 0.0, random), 10) << dropped;
+  }
+}
+
+/// It is not taken for darkness.
+TEST(FloorStrip, RobotStandsAtOnceForABoardThatHidesAllOfTheFloor) {
+  for (const double strays : {0.0, 0.1}) {
+    std::mt19937 random(7);
+    Robot robot;
+    const Board wall = {2.0f, -3.0f, 3.0f, -3.0f, floor_y};
+    for (int i = 0; i < 20; ++i) robot.sees({wall});
+    const Scene hidden({wall, {0.3f, -1.0f, 1.0f, 0.0f, floor_y}});
+    EXPECT_EQ(clouds_until_it_stands(robot, hidden, 0.0, strays, random), 0) << strays;
+  }
+}
+
+TEST(FloorStrip, RobotStandsForAThinPostThatPassesThroughAPictureInLowLightWhileItTurns) {
+  for (const double dropped : {0.3, 0.5}) {
+    std::mt19937 random(7);
+    Robot robot;
+    for (int i = 0; i < 12; ++i) robot.sees(Scene().drop(dropped, random));
+    bool stands = false;
+    for (float x = 0.18f; x > -0.18f && !stands; x -= 0.018f)
+      stands = robot.sees(Scene({post(0.35f, x, 0.025f)}).drop(dropped, random)).speed == 0.0;
+    EXPECT_TRUE(stands) << dropped;
+  }
+}
+
+TEST(FloorStrip, RobotDrivesOnWithinHalfASecondOnceAPostIsTakenAwayInLowLight) {
+  for (const double dropped : {0.3, 0.5}) {
+    std::mt19937 random(7);
+    Robot robot;
+    for (int i = 0; i < 20; ++i) robot.sees(Scene().drop(dropped, random));
+    for (int i = 0; i < 60; ++i) robot.sees(Scene({post(0.33f, 0.0f, 0.05f)}).drop(dropped, random));
+    for (int i = 0; i < 10; ++i) robot.sees(Scene().drop(dropped, random));
+    for (int i = 0; i < 60; ++i) EXPECT_GT(robot.sees(Scene().drop(dropped, random)).speed, 0.0) << dropped;
+  }
+}
+
 }  // namespace
 }  // namespace safety_control_cloud
