@@ -2,11 +2,20 @@
 #include "pixels.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace safety_control_cloud {
 namespace {
 
 const Point nothing = {0.0f, 0.0f, std::numeric_limits<float>::quiet_NaN()};
+
+constexpr double farthest = 1e6;  // [px] beside the picture: from there all ways in it are parallel
+
+/// To 1/64 of a pixel. A depth image tells it at once and a cloud by its returns, but for rounding; of ways that begin
+/// there, what lies midway between two pixels is to lie so for both.
+double middle_of(const RayLine& line) {
+  return std::round(64.0 * std::clamp(line.pixel(0.0), -farthest, farthest)) / 64.0;
+}
 
 }  // namespace
 
@@ -50,9 +59,8 @@ Pixels::Pixels(const View& view, float range_min, const RayHits* hits, const Usu
 }
 
 void Pixels::look_along(const RayLines& rays) {
-  constexpr double farthest = 1e6;  // beside the picture: from there all ways in it are parallel
-  if (rays.down) framing_.middle_row = std::clamp(rays.down->pixel(0.0), -farthest, farthest);
-  if (rays.across) framing_.middle_column = std::clamp(rays.across->pixel(0.0), -farthest, farthest);
+  if (rays.down) framing_.middle_row = middle_of(*rays.down);
+  if (rays.across) framing_.middle_column = middle_of(*rays.across);
 }
 
 void Pixels::read(std::size_t row, std::size_t step, const Outlook& outlook, PixelRow& into) const {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <utility>
 
 #include "../input/cloud_builder.hpp"
 
@@ -111,6 +112,19 @@ TEST(Evidence, TheWayOutwardLeadsAwayFromWhatLooksStraightAhead) {
   Framing framing;
   framing.middle_row = 10.0, framing.middle_column = 80.0;
   EXPECT_EQ(wall.said_of(40, 80, &framing), Evidence::Nothing);
+}
+
+/// As a cloud has it by its returns, and a depth image by its camera.
+TEST(Evidence, AMiddleThatDiffersByRoundingAloneIsTheSame) {
+  const std::vector<Xyz> points(size * size, Xyz{0.0f, 0.0f, 2.0f});
+  const auto middle_by = [&](double off) {
+    Pixels picture(picture_of(points, size, size), 0.0f);
+    const RayLine line{-(4.0 + off) / 46.2, 1.0 / 46.2};
+    picture.look_along({line, line});
+    return std::pair(picture.framing().middle_row, picture.framing().middle_column);
+  };
+  for (const double off : {1e-6, -1e-6, 3e-4}) EXPECT_EQ(middle_by(off), middle_by(0.0)) << off;
+  EXPECT_NE(middle_by(0.1), middle_by(0.0));
 }
 
 TEST(Evidence, AMarginOfThePictureIsNoHole) {
