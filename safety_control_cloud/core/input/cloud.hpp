@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace safety_control_cloud {
 
@@ -30,5 +31,18 @@ struct CloudView {
 
   std::size_t size() const { return width * height; }
 };
+
+/// Of points that begin with x, y and z, in rows of so many. They are borrowed.
+template <std::size_t values>
+CloudView in_rows(const std::vector<std::array<float, values>>& points, std::size_t width) {
+  CloudView view;
+  view.bytes = reinterpret_cast<const std::uint8_t*>(points.data());
+  view.width = width;
+  view.height = width == 0 ? 0 : points.size() / width;
+  view.point_step = sizeof(points[0]);
+  view.row_step = width * view.point_step;
+  view.offset = {0, sizeof(float), 2 * sizeof(float)};
+  return view;
+}
 
 }  // namespace safety_control_cloud

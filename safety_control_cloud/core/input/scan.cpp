@@ -14,7 +14,7 @@ namespace {
 
 constexpr double full_turn = 6.283185307179586;
 constexpr double least_step = 1e-6;  ///< [rad] finer than any; a number that is hardly one is none
-constexpr double off_by = 1.5;  ///< increments: drivers disagree on whether angle_max is the last beam or the next
+constexpr double off_by = 1.5;       ///< increments: drivers disagree on whether angle_max is the last beam or the next
 constexpr double longest_turn = 10.0;  ///< [s]
 constexpr std::size_t most = 1000000;  ///< beams
 constexpr float beyond = 1e4f;         ///< [m] farther than anything matters
@@ -58,15 +58,8 @@ ScanView ScanPoints::of(const Scan& scan) {
   points_.resize(scan.size);
   for (std::size_t i = 0; i < scan.size; ++i)
     points_[i] = point_of(scan.ranges[i], scan.angle_min + scan.angle_increment * static_cast<double>(i), scan);
-  CloudView points;
-  points.bytes = reinterpret_cast<const std::uint8_t*>(points_.data());
-  points.width = scan.size;
-  points.height = 1;
-  points.point_step = sizeof points_[0];
-  points.row_step = scan.size * sizeof points_[0];
-  points.offset = {0, sizeof(float), 2 * sizeof(float)};
   const double steps = static_cast<double>(scan.size - 1), end = scan.angle_min + scan.angle_increment * steps;
-  ScanView view{points, 3 * sizeof(float)};
+  ScanView view{in_rows(points_, scan.size), 3 * sizeof(float)};
   view.first = std::min(scan.angle_min, end), view.last = std::max(scan.angle_min, end);
   view.descending = scan.angle_increment < 0.0;
   view.range_min = scan.range_min, view.range_max = scan.range_max;

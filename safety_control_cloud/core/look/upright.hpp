@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <vector>
 
 #include "../input/view.hpp"
@@ -32,14 +31,21 @@ class Upright {
   Outlook turned(const Outlook& outlook) const;
 
  private:
-  enum class Down : std::uint8_t { Y, MinusY, X, MinusX };  ///< the camera's axis that points down, as nearly as any
+  /// By quarters, about the axis along which the camera looks.
+  struct Roll {
+    float cosine = 1.0f, sine = 0.0f;
 
-  static double cosine(Down down, const Placement& placement);
-  void note_down(const Placement& placement);
+    bool lies() const { return cosine == 0.0f; }
+    /// What lies to the camera's right and below it lies so far to the right of an upright one, and below that.
+    float right(float x, float y) const { return cosine * x + sine * y; }
+    float down(float x, float y) const { return cosine * y - sine * x; }
+  };
+
+  void note_roll(const Placement& placement);
   void note_order(const View& view);
   View copied(const View& view);
 
-  Down down_ = Down::Y;
+  Roll roll_;
   bool columns_fall_ = false, rows_fall_ = false;  ///< as far as is known: x/z over the columns, y/z over the rows
   bool is_turned_ = false;                         ///< the latest picture
   std::vector<std::array<float, 3>> points_;

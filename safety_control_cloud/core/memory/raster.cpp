@@ -145,15 +145,6 @@ void Raster::fill() {
   }
 }
 
-View Raster::view() const {
-  CloudView view;
-  view.bytes = reinterpret_cast<const std::uint8_t*>(cells_.data());
-  view.width = grid_.width;
-  view.height = grid_.height;
-  view.point_step = sizeof(cells_[0]);
-  view.row_step = grid_.width * view.point_step;
-  view.offset = {0, sizeof(float), 2 * sizeof(float)};
-  return view;
-}
+View Raster::view() const { return in_rows(cells_, grid_.width); }
 
 }  // namespace safety_control_cloud
