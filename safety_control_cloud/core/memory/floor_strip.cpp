@@ -20,21 +20,6 @@ constexpr std::uint8_t certain = 3;  ///< clouds that have shown the floor
 
 /// Where the floor is hidden, three pixels in four and more are blank, whatever stray ranges the others return.
 constexpr std::size_t enough_pixels = 12;
-constexpr double enough_share = 0.7499;  ///< and what rounding takes
-
-/// By so many standard deviations chance must miss that share. At 20 Hz and with a hundred places for a post, it is
-/// tried eight million times in an hour, and it is skewed.
-constexpr double deviations = 6.0;
-
-/// Chance of which this is the logarithm is none in one cloud: once in an hour at 20 Hz.
-constexpr double no_chance = -16.0;
-
-/// At most so many clouds are asked: 0.8 s. Of a thin post and three rows they are enough where six pixels in ten are
-/// blank by chance; where more are, the robot may stand for nothing.
-constexpr double most_clouds = 16.0;
-
-/// How much is blank by chance is a mean over about so many clouds: what hides the floor is noticed before that rises.
-constexpr float usual_clouds = 8.0f;
 
 /// A row's floor rises by this in a cloud in which none is seen as low [mm]: after a bump it is back in a second.
 constexpr NearGround::Code forgotten = 1;
@@ -48,14 +33,6 @@ NearGround::Code least_floor(NearGround::Code lowest) { return static_cast<NearG
 
 std::size_t post_of(std::size_t columns) { return std::max<std::size_t>(2, columns / post_share_of_width); }
 
-/// So many make it sure that, where each of so many pixels is blank by chance, three in four are by something else.
-double clouds_to_ask(double chance, std::size_t pixels) {
-  const double beyond = enough_share - chance;
-  if (beyond <= 0.0) return most_clouds;
-  const double needed = deviations * deviations * chance * (1.0 - chance) / (beyond * beyond);
-  return std::clamp(needed / static_cast<double>(pixels), 1.0, most_clouds);
-}
-
 }  // namespace
 
 void FloorStrip::survey(const NearGround& ground, const Patience& patience) {
@@ -65,7 +42,7 @@ void FloorStrip::survey(const NearGround& ground, const Patience& patience) {
     expected_.assign(ground.columns(), 0);
     blank_since_.assign(ground.columns(), patience.now);
     blank_lately_.assign(ground.columns(), 0);
-    blank_share_.clear();
+    blank_shares_.clear();
     std::fill(lowest_.begin(), lowest_.end(), Code{0});
   }
   rows_.clear();
@@ -82,56 +59,9 @@ void FloorStrip::survey(const NearGround& ground, const Patience& patience) {
     count_row(ground, row);
     rows_.push_back(ground.picture_row(row));
   }
-  average_blank();
+  blank_shares_.note(blank_, rows_.size(), post_of(blank_.size()));
   expect(patience);
   note_blank();
-}
-
-/// Begins with what is blank by chance. What was lost before the light fell stays so: its share is high already.
-void FloorStrip::average_blank() {
-  if (rows_.empty()) return;
-  note_usual();
-  const double chance = blank_by_chance();
-  if (blank_share_.empty()) blank_share_.assign(blank_.size(), static_cast<float>(chance));
-  clouds_ = clouds_to_ask(chance, rows_.size() * post_of(blank_.size()));
-  const auto latest = static_cast<float>(2.0 / (clouds_ + 1.0)), rows = static_cast<float>(rows_.size());
-  for (std::size_t i = 0; i < blank_.size(); ++i)
-    blank_share_[i] = latest * static_cast<float>(blank_[i]) / rows + (1.0f - latest) * blank_share_[i];
-  note_what_is_blank_at_once(chance);
-}
-
-/// In one cloud, adjacent columns of which no pixel returns: a thin post moves by its width from one cloud to the next
-/// while the robot turns.
-void FloorStrip::note_what_is_blank_at_once(double chance) {
-  if (chance >= enough_share) return;
-  const double needed = std::ceil(no_chance / (std::log(chance) * static_cast<double>(rows_.size())));
-  const std::size_t wide = std::max(post_of(blank_.size()), static_cast<std::size_t>(needed));
-  std::size_t adjacent = 0;
-  for (std::size_t i = 0; i < blank_.size(); ++i) {
-    adjacent = blank_[i] == rows_.size() ? adjacent + 1 : 0;
-    if (adjacent >= wide) std::fill_n(blank_share_.begin() + static_cast<std::ptrdiff_t>(i + 1 - wide), wide, 1.0f);
-  }
-}
-
-void FloorStrip::note_usual() {
-  const std::size_t columns = blank_.size();
-  const float latest = blank_share_.empty() ? 1.0f : 1.0f / usual_clouds;
-  for (std::size_t part = 0; part < usual_.size(); ++part) {
-    const std::size_t begin = part * columns / usual_.size(), end = (part + 1) * columns / usual_.size();
-    if (begin == end) continue;
-    const auto pixels = static_cast<float>((end - begin) * rows_.size());
-    std::size_t blank = 0;
-    for (std::size_t i = begin; i < end; ++i) blank += blank_[i];
-    usual_[part] += latest * (static_cast<float>(blank) / pixels - usual_[part]);
-  }
-}
-
-/// The median: what hides less than half of the floor does not raise it.
-double FloorStrip::blank_by_chance() const {
-  auto parts = usual_;
-  const auto middle = parts.begin() + (parts.size() - 1) / 2;
-  std::nth_element(parts.begin(), middle, parts.end());
-  return double{*middle};
 }
 
 /// Of a few columns together, no wider than a post: of fewer pixels, chance blanks too many.
@@ -226,11 +156,11 @@ std::vector<Span> FloorStrip::covered() const {
   const auto columns = static_cast<double>(shown_.size());
   const std::size_t post = post_of(shown_.size());
   const auto blank_in = [this](std::size_t i) {
-    return above_border_ && expected_[i] < certain ? 0.0 : double{blank_share_[i]};
+    return above_border_ && expected_[i] < certain ? 0.0 : blank_shares_[i];
   };
   // A stray return in one of the columns says nothing.
-  const double two_rows = 2.0 / (static_cast<double>(rows_.size()) * clouds_);
-  const double least = static_cast<double>(post) * std::max(enough_share, two_rows);
+  const double two_rows = 2.0 / (static_cast<double>(rows_.size()) * blank_shares_.clouds());
+  const double least = static_cast<double>(post) * std::max(mostly_blank, two_rows);
   double blank = 0.0;  // in as many columns
   for (std::size_t i = first_; i < last_; ++i) {
     blank += blank_in(i);

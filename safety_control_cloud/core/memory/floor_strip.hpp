@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "blank_shares.hpp"
 #include "loss.hpp"
 #include "near_ground.hpp"
 #include "patience.hpp"
@@ -51,10 +51,6 @@ class FloorStrip {
 
   Code learned(const NearGround& ground, std::size_t row);
   void count_row(const NearGround& ground, std::size_t row);
-  void average_blank();
-  void note_what_is_blank_at_once(double chance);
-  void note_usual();
-  double blank_by_chance() const;
   void expect(const Patience& patience);
   void note_blank();
   bool is_border(std::size_t column, std::size_t size) const;
@@ -65,13 +61,11 @@ class FloorStrip {
   double middle_ = 0.0;               ///< the column that looks straight ahead
   bool above_border_ = false;         ///< the lowest rows return nothing
   std::size_t first_ = 0, last_ = 0;  ///< the columns in which the floor is expected
-  std::array<float, 8> usual_{};      ///< the share of pixels that were blank lately, in parts from left to right
-  double clouds_ = 1.0;               ///< that are asked whether anything hides the floor
+  BlankShares blank_shares_;
   // Of each column.
   std::vector<Count> shown_;
   std::vector<Count> foot_;                 ///< return something nearer than the floor
   std::vector<Count> blank_;                ///< return nothing
-  std::vector<float> blank_share_;          ///< of the rows, over the latest `clouds_`
   std::vector<std::uint8_t> blank_lately_;  ///< it was blank; in so many more clouds it counts as that
   std::vector<std::uint8_t> expected_;      ///< so many clouds have shown the floor, at most `certain`
   std::vector<double> blank_since_;         ///< [s] steady; now, if it is not
