@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 from math import inf
 
-
 LARGEST_SIDE = 4096  # [px] of a simulated picture, whose cloud is then of half a gigabyte
 
 

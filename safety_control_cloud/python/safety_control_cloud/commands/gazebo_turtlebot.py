@@ -8,6 +8,7 @@ from xml.etree.ElementTree import ParseError
 
 from ..simulation.base import LIMITS
 from ..simulation.world_files import world_file, world_names
+from .complaint import complain
 from .remappings import without_remappings
 
 
@@ -27,19 +28,14 @@ def main(argv: list[str]) -> int:
         from ..nodes.gazebo_turtlebot import GazeboTurtlebot
         from ..nodes.life import Life
     except (FileNotFoundError, ValueError, ParseError) as error:
-        return _complain(error)
+        return complain("gazebo_turtlebot", error)
     except ModuleNotFoundError as missing:
         if not str(missing.name).startswith("gazebo_msgs"):
             raise
-        return _complain(MISSING)
+        return complain("gazebo_turtlebot", MISSING)
     life = Life("turtlebot_sim")
     GazeboTurtlebot(furniture, LIMITS[arguments.wheels]).run(life)
     return 0
-
-
-def _complain(why: object) -> int:
-    print(f"gazebo_turtlebot: {why}", file=sys.stderr)
-    return 2
 
 
 if __name__ == "__main__":

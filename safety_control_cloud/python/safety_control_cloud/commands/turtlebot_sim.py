@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from ..simulation.base import LIMITS
 from ..simulation.world_files import world_argument, world_names
 from .arguments import not_negative, picture_size, positive, seed, yes
+from .complaint import complain
 from .remappings import without_remappings
 
 if TYPE_CHECKING:
@@ -47,12 +48,12 @@ def main(argv: list[str]) -> int:
     except ModuleNotFoundError as missing:
         if missing.name != "mujoco":
             raise
-        return _complain("this needs MuJoCo, which scripts/setup installs beside the package")
+        return complain("turtlebot_sim", "this needs MuJoCo, which scripts/setup installs beside the package")
 
     try:
         world = World.load(arguments.world, Xtion(*arguments.size, rate=arguments.camera_rate))
     except ValueError as error:
-        return _complain(f"cannot simulate {arguments.world}: {' '.join(str(error).split())}")
+        return complain("turtlebot_sim", f"cannot simulate {arguments.world}: {' '.join(str(error).split())}")
     life = Life("turtlebot_sim")
     rospy.set_param("/use_sim_time", True)
     noise = None if arguments.no_noise else arguments.seed
@@ -63,11 +64,6 @@ def main(argv: list[str]) -> int:
     else:
         simulator.run(life)
     return 0
-
-
-def _complain(why: str) -> int:
-    print(f"turtlebot_sim: {why}", file=sys.stderr)
-    return 2
 
 
 def _camera_rate(text: str) -> float:

@@ -9,9 +9,8 @@ import sys
 from ..optional import MissingPackages, require
 from ..view.options import recording_file
 from .arguments import positive
+from .complaint import complain
 from .remappings import without_remappings
-
-UNUSABLE = 2  # exit code
 
 
 def main(argv: list[str]) -> int:
@@ -27,8 +26,7 @@ def main(argv: list[str]) -> int:
     try:
         require("view")
     except MissingPackages as error:
-        print(f"view_node: {error}", file=sys.stderr)
-        return UNUSABLE
+        return complain("view_node", error)
     import rospy  # after the arguments: --help needs Python alone
 
     from ..nodes.life import Life

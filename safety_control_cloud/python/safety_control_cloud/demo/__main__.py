@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..commands.arguments import positive, seed
+from ..commands.complaint import complain
 from ..optional import MissingPackages, require
 from ..processes import ProcessError, end_on_sigterm
 from ..simulation.world_files import world_argument, world_names
@@ -46,7 +47,7 @@ def main(argv: list[str]) -> int:
     try:
         require("demo")
     except MissingPackages as error:
-        return _complain(error)
+        return complain("demo", error)
     make(arguments.out, parser)
     import rospy  # after the arguments: --help needs Python alone
 
@@ -58,7 +59,7 @@ def main(argv: list[str]) -> int:
         try:
             gazebo_ros_executable("gzserver")
         except ProcessError as missing:
-            return _complain(missing)
+            return complain("demo", missing)
     try:
         with recorded_in(arguments.rrd, arguments.view) as rrd:
             options = Options(arguments.world or ("playground" if guards else "cabinet"), arguments.simulator, arguments.out,
@@ -67,9 +68,9 @@ def main(argv: list[str]) -> int:
                 return _guard(options, arguments)
             return 0 if run(options) else 1
     except MissingPackages as error:
-        return _complain(error)
+        return complain("demo", error)
     except (ProcessError, rospy.ROSException) as error:
-        return _complain(f"{error}; see {arguments.out / 'roslaunch.log'}")
+        return complain("demo", f"{error}; see {arguments.out / 'roslaunch.log'}")
     except KeyboardInterrupt:
         return 130
 
@@ -81,12 +82,7 @@ def _guard(options: Options, arguments: argparse.Namespace) -> int:
         seconds, seed = arguments.seconds or SECONDS, SEED if arguments.seed is None else arguments.seed
         return 0 if run_guarded(options, seconds, seed) else 1
     except BadWorld as error:
-        return _complain(error)
-
-
-def _complain(why: object) -> int:
-    print(f"demo: {why}", file=sys.stderr)
-    return 2
+        return complain("demo", error)
 
 
 if __name__ == "__main__":

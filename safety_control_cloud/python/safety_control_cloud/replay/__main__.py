@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import sys
 
+from safety_control_cloud.commands.complaint import complain
 from safety_control_cloud.optional import MissingPackages, require
 from safety_control_cloud.processes import ProcessError, end_on_sigterm
 from safety_control_cloud.replay.options import request_of
 
-FAILED, UNUSABLE, INTERRUPTED = 1, 2, 130  # exit codes; argparse too says 2
+FAILED, INTERRUPTED = 1, 130  # exit codes
 
 
 def main() -> int:
@@ -16,7 +17,7 @@ def main() -> int:
     try:
         require("replay")
     except MissingPackages as error:
-        return _complain(error, UNUSABLE)
+        return complain("replay", error)
     from safety_control_cloud.replay.bags import BagError  # after the arguments: --help needs Python alone
     from safety_control_cloud.replay.lockstep import BadParameters, NoAnswer
     from safety_control_cloud.replay.parameters import BadSettings
@@ -26,17 +27,12 @@ def main() -> int:
     try:
         replay(request)
     except (BagError, BadParameters, BadSettings, MissingPackages) as error:
-        return _complain(error, UNUSABLE)
+        return complain("replay", error)
     except (NoAnswer, ProcessError, OSError) as error:
-        return _complain(error, FAILED)
+        return complain("replay", error, FAILED)
     except KeyboardInterrupt:
         return INTERRUPTED
     return 0
-
-
-def _complain(error: Exception, code: int) -> int:
-    print(f"replay: {error}", file=sys.stderr)
-    return code
 
 
 if __name__ == "__main__":

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import sys
 
+from ..commands.complaint import complain
 from ..dispatch import ClusterError, Lost
 from ..optional import MissingPackages, require
 from .options import options
 
-LOST, UNUSABLE, INTERRUPTED = 3, 2, 130  # exit codes; argparse too says 2
+LOST, INTERRUPTED = 3, 130  # exit codes
 
 
 def main() -> int:
@@ -21,16 +22,11 @@ def main() -> int:
 
         return run(given)
     except Lost as error:
-        return _complain(error, LOST)
+        return complain("trials", error, LOST)
     except (ClusterError, MissingPackages) as error:
-        return _complain(error, UNUSABLE)
+        return complain("trials", error)
     except KeyboardInterrupt:
         return INTERRUPTED
-
-
-def _complain(error: Exception, code: int) -> int:
-    print(f"trials: {error}", file=sys.stderr)
-    return code
 
 
 if __name__ == "__main__":
