@@ -20,10 +20,20 @@ namespace safety_control_cloud {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Asks for the bytes that come up when another `distance` have been taken. The processor sees by itself that a cloud
-/// is read from end to end, but asks too late, and not across the end of a page. Behind the cloud it does no harm.
+constexpr std::size_t cache_line = 64;  // [byte]
+
+/// Asks for the bytes that come up in a while. The processor sees by itself that a cloud is read from end to end, but
+/// asks too late, and not across the end of a page. Behind the cloud it does no harm.
+HWY_INLINE void fetch_early(const std::uint8_t* from, std::size_t size) {
+  constexpr std::size_t distance = 4096;
+  constexpr int outer_cache = 2;  // which can ask for more at once
+  for (std::size_t i = 0; i < size; i += cache_line) __builtin_prefetch(from + distance + i, 0, outer_cache);
+}
+
+/// The same, and those that come up soon into the inner cache.
 HWY_INLINE void fetch_ahead(const std::uint8_t* from, std::size_t size) {
-  constexpr std::size_t distance = 6144, cache_line = 64;
+  constexpr std::size_t distance = 1024;
+  fetch_early(from, size);
   for (std::size_t i = 0; i < size; i += cache_line) hwy::Prefetch(from + distance + i);
 }
 

@@ -174,7 +174,7 @@ void gather(const Run& run, const Outlook& outlook, const Region& region, Places
 HWY_INLINE void fetch_next(const Run& run) {
   constexpr std::size_t size = 8192;  // [byte]
   const auto* cloud = std::get_if<CloudView>(&run.points);
-  if (cloud) fetch_ahead(cloud->bytes + cloud->width * cloud->point_step, size);
+  if (cloud) fetch_early(cloud->bytes + cloud->width * cloud->point_step, size);
 }
 
 template <class Visitor>
