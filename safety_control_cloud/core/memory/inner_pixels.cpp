@@ -17,27 +17,29 @@ constexpr std::size_t thin_run = 4;  // successive pixels of a line: fewer are t
 
 bool is_inner(const Connected& connected, Index i) { return connected.touched()[i] == lines::AllSides; }
 
-bool is_beside_inner(const NearPixels& found, const Connected& connected, Index i) {
-  const std::size_t line = found.line_of(i), slot = found.slot_of(i);
+/// In a slot of a line: to tell them by the index takes a division, longer than the rest.
+bool is_beside_inner(const NearPixels& found, const Connected& connected, std::size_t line, std::size_t slot) {
+  const float ahead = found.ahead[line * found.slots + slot];
   for (std::size_t l = line - std::min<std::size_t>(1, line); l < std::min(line + 2, found.rows.size()); ++l) {
     for (std::size_t s = slot - std::min<std::size_t>(1, slot); s < std::min(slot + 2, found.slots); ++s) {
       const auto other = static_cast<Index>(l * found.slots + s);
-      if (is_inner(connected, other) && std::abs(found.ahead[other] - found.ahead[i]) <= connected.jump()) return true;
+      if (is_inner(connected, other) && std::abs(found.ahead[other] - ahead) <= connected.jump()) return true;
     }
   }
   return false;
 }
 
-/// Of successive pixels none of which is inner, those that do not border on inner ones either.
+/// Of successive pixels of a line, none of which is inner, those that do not border on inner ones either.
 void add_far_from_inner(const NearPixels& found, const Connected& connected, const std::vector<Index>& pixels,
                         std::vector<Index>& to) {
+  const std::size_t line = found.line_of(pixels.front()), first = line * found.slots;
   std::size_t run = 0;
   const auto end_run = [&] {
     if (run < thin_run) to.resize(to.size() - run);
     run = 0;
   };
   for (const Index i : pixels) {
-    if (is_beside_inner(found, connected, i)) {
+    if (is_beside_inner(found, connected, line, i - first)) {
       end_run();
     } else {
       to.push_back(i);

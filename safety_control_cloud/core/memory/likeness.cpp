@@ -42,9 +42,13 @@ Likeness likeness_of(const std::vector<Spot>& before, const Thing& now) {
 void note_what_went_alone(std::vector<Spot>& before, const Thing& now, float near) {
   if (before.empty() || now.spots.empty()) return;
   const Vector way = middle_of(now.spots) - middle_of(before);
+  float farthest = 0.0f;
+  for (const Spot& seen : now.spots) farthest = std::max(farthest, seen.point.z);
   for (Spot& spot : before) {
     if (spot.point.z >= near) continue;
     const Vector there = spot.point.getVector3fMap() + way;
+    spot.went_alone = false;
+    if (farthest - there.z() <= as_near) continue;  // as of most of a wall straight ahead
     float least = std::numeric_limits<float>::infinity(), behind = 0.0f;
     for (const Spot& seen : now.spots) {
       const Vector off = seen.point.getVector3fMap() - there;

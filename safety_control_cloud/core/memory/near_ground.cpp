@@ -17,7 +17,9 @@ constexpr std::size_t probe = 4;
 bool NearGround::read_row(const Pixels& picture, const Outlook& outlook, float distance, std::size_t number,
                           Columns which) {
   const bool all = which == Columns::All;
-  picture.read(picture_row(number), (all ? 1 : probe) * column_step_, outlook, read_);
+  const std::size_t step = (all ? 1 : probe) * column_step_, next = number + (all ? 1 : probe);
+  picture.read(picture_row(number), step, outlook, read_);
+  if (next < shows_.size()) picture.fetch_row(picture_row(next), step);
   codes_read_.resize(columns_);
   Code* const read = all ? row(number) : codes_read_.data();
   const int highest = lines::find_ground(read_.pixels(), {outlook.corridor, outlook.camera(), distance}, read,

@@ -53,6 +53,8 @@ class Lines {
     resize(line + found_.slots);
     std::copy(columns_.begin(), columns_.end(), found_.column.begin() + static_cast<std::ptrdiff_t>(line));
     float nearest = look(row, found_.column_step, found_.ahead.data() + line);
+    if (row + found_.row_step < search_.picture.height())
+      search_.picture.fetch_row(row + found_.row_step, found_.column_step);  // most likely the next one
     std::copy(places_.x.begin(), places_.x.end(), found_.x.begin() + static_cast<std::ptrdiff_t>(line));
     std::copy(places_.y.begin(), places_.y.end(), found_.y.begin() + static_cast<std::ptrdiff_t>(line));
     if (nearest * same > search_.nearest_in_row[row] - camera_.z) nearest = take_whole(row, line);

@@ -130,6 +130,7 @@ class Finding {
     std::vector<Spot> spots;
     spots.reserve(places.size() + 2 * foremost_spots);
     const auto add = [&](const std::vector<Index>& some, std::size_t pixels) {
+      for (const Index i : some) search_.picture.fetch_around(found_.row_of(i), found_.column[i]);
       for (const Index i : some) {
         spots.push_back(spot_at(i));
         spots.back().overhang = overhang(found_, i, lowest[found_.slot_of(i)]);

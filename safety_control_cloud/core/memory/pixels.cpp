@@ -50,12 +50,20 @@ Pixels::Pixels(const View& view, float range_min, const RayHits* hits, const Usu
     : width_(width_of(view)), height_(height_of(view)), range_min_(range_min), hits_(hits), usual_(usual) {
   framing_.middle_row = 0.5 * static_cast<double>(height_);
   framing_.middle_column = 0.5 * static_cast<double>(width_);
+  std::visit([this](const auto& some) { bytes_ = some.bytes, row_step_ = some.row_step, pixel_step_ = step_of(some); },
+             view);
   with_reader(view, [this](const auto& reader) {
     using OneReader = std::decay_t<decltype(reader)>;
     reader_.emplace<OneReader>(reader);
     read_ = &read<OneReader>;
     around_ = &read_around<OneReader>;
   });
+}
+
+void Pixels::fetch_row(std::size_t row, std::size_t step) const {
+  constexpr std::size_t cache_line = 64;
+  step = std::max(step, cache_line / std::max<std::size_t>(1, pixel_step_));
+  for (std::size_t column = 0; column < width_; column += step) fetch(row, column);
 }
 
 void Pixels::look_along(const RayLines& rays) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <variant>
 #include <vector>
 
@@ -51,6 +53,18 @@ class Pixels {
   Point at(std::size_t row, std::size_t column) const { return read_(*this, row, column); }
   /// Every `step`-th pixel of a row, placed, all at once.
   void read(std::size_t row, std::size_t step, const Outlook& outlook, PixelRow& into) const;
+  /// Asks for the bytes of a pixel that will be read soon: by now they may be in no cache any more.
+  void fetch(std::size_t row, std::size_t column) const {
+    constexpr int outer_cache = 2;  // which can ask for more at once
+    __builtin_prefetch(bytes_ + row * row_step_ + column * pixel_step_, 0, outer_cache);
+  }
+  /// The same for around(), of a place in the picture.
+  void fetch_around(std::size_t row, std::size_t column) const {
+    const std::size_t first = row - std::min<std::size_t>(1, row), last = std::min(row + 1, height_ - 1);
+    for (std::size_t i = first; i <= last; ++i) fetch(i, column);
+  }
+  /// The same for every `step`-th pixel of a row.
+  void fetch_row(std::size_t row, std::size_t step) const;
   /// at() of a place that may lie beside the picture.
   Point near(std::ptrdiff_t row, std::ptrdiff_t column) const;
   /// z of the 3 x 3 pixels around a place in the picture, row by row.
@@ -74,6 +88,8 @@ class Pixels {
   Reader reader_ = CloudReader<float, false>{};
   Point (*read_)(const Pixels&, std::size_t, std::size_t) = nullptr;
   std::array<float, 9> (*around_)(const Pixels&, std::size_t, std::size_t) = nullptr;
+  const std::uint8_t* bytes_ = nullptr;
+  std::size_t row_step_ = 0, pixel_step_ = 0;  ///< [byte]
   std::size_t width_, height_;
   float range_min_;
   Framing framing_;
