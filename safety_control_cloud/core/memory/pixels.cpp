@@ -62,8 +62,9 @@ Pixels::Pixels(const View& view, float range_min, const RayHits* hits, const Usu
 
 void Pixels::fetch_row(std::size_t row, std::size_t step) const {
   constexpr std::size_t cache_line = 64;
-  step = std::max(step, cache_line / std::max<std::size_t>(1, pixel_step_));
-  for (std::size_t column = 0; column < width_; column += step) fetch(row, column);
+  const std::size_t apart = std::max(cache_line, step * pixel_step_);
+  const std::uint8_t* const first = bytes_ + row * row_step_;
+  for (std::size_t at = 0; at < width_ * pixel_step_; at += apart) fetch(first + at);
 }
 
 void Pixels::look_along(const RayLines& rays) {

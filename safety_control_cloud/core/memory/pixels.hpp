@@ -53,18 +53,13 @@ class Pixels {
   Point at(std::size_t row, std::size_t column) const { return read_(*this, row, column); }
   /// Every `step`-th pixel of a row, placed, all at once.
   void read(std::size_t row, std::size_t step, const Outlook& outlook, PixelRow& into) const;
-  /// Asks for the bytes of a pixel that will be read soon: by now they may be in no cache any more.
-  void fetch(std::size_t row, std::size_t column) const {
-    constexpr int outer_cache = 2;  // which can ask for more at once
-    __builtin_prefetch(bytes_ + row * row_step_ + column * pixel_step_, 0, outer_cache);
-  }
+  /// Asks for the bytes of every `step`-th pixel of a row, which will be read soon: by now they may be in no cache.
+  void fetch_row(std::size_t row, std::size_t step) const;
   /// The same for around(), of a place in the picture.
   void fetch_around(std::size_t row, std::size_t column) const {
     const std::size_t first = row - std::min<std::size_t>(1, row), last = std::min(row + 1, height_ - 1);
-    for (std::size_t i = first; i <= last; ++i) fetch(i, column);
+    for (std::size_t i = first; i <= last; ++i) fetch(bytes_ + i * row_step_ + column * pixel_step_);
   }
-  /// The same for every `step`-th pixel of a row.
-  void fetch_row(std::size_t row, std::size_t step) const;
   /// at() of a place that may lie beside the picture.
   Point near(std::ptrdiff_t row, std::ptrdiff_t column) const;
   /// z of the 3 x 3 pixels around a place in the picture, row by row.
@@ -79,6 +74,10 @@ class Pixels {
   bool is_any(float x, float y, float z) const { return (0.0f * x + 0.0f * y + 0.0f * z == 0.0f) & (z > range_min_); }
   Point point_of(float x, float y, float z) const {
     return is_any(x, y, z) ? Point(x, y, z) : Point(0.0f, 0.0f, std::numeric_limits<float>::quiet_NaN());
+  }
+  static void fetch(const std::uint8_t* from) {
+    constexpr int outer_cache = 2;  // which can ask for more at once
+    __builtin_prefetch(from, 0, outer_cache);
   }
   template <class OneReader>
   static Point read(const Pixels& picture, std::size_t row, std::size_t column);
