@@ -221,7 +221,7 @@ void NearLoss::write_down(bool lost, double now) {
   };
   const auto& things = things_.things();
   const bool none = std::none_of(things.begin(), things.end(), is_near);
-  const bool changed = lost != written_lost_ || none != text_.empty();
+  const bool changed = lost != written_lost_ || none == written_near_;  // a kerb is written though none is near
   if (!changed && now - written_at_ < write_period) return;
   std::vector<Remembered> near;
   std::copy_if(things.begin(), things.end(), std::back_inserter(near), is_near);
@@ -229,6 +229,7 @@ void NearLoss::write_down(bool lost, double now) {
       to_text({frame_.width, frame_.height, things_.blind_range(), std::move(near), low_.floor(), low_.any_beside()});
   written_at_ = now;
   written_lost_ = lost;
+  written_near_ = !none;
 }
 
 bool NearLoss::restore(const std::string& text) {

@@ -106,6 +106,7 @@ class NearLoss {
   std::string text_;
   double written_at_ = 0.0;    ///< [s]
   bool written_lost_ = false;  ///< whether anything was lost then
+  bool written_near_ = false;  ///< or near
 };
 
 }  // namespace safety_control_cloud

@@ -148,6 +148,17 @@ TEST(Kept, KerbThatHidTheFloorOutlivesTheProcess) {
   EXPECT_TRUE(loss->whole);
 }
 
+TEST(Kept, KerbIsWrittenDownAsSeldomAsWhatIsNear) {
+  NearLoss memory{NearLossLimits{}};
+  const auto after_kerb_at = [&](float z) {
+    judged(memory, Scene({{z, -0.2f, 0.2f, floor_y - 0.05f, floor_y}}));
+    return memory.serialised();
+  };
+  const std::string first = after_kerb_at(0.74f);
+  EXPECT_NE(first, "");
+  EXPECT_EQ(after_kerb_at(0.70f), first) << "in the same quarter of a second";
+}
+
 TEST(Kept, NothingIsWrittenDownWhereNothingIsNear) {
   NearLoss memory{NearLossLimits{}};
   judged(memory, Scene());
