@@ -106,11 +106,8 @@ bool LostSpots::are_among(const std::vector<KnownPlace>& known, const Pose2& pos
   };
   double known_ones = 0.0;
   for (const auto& [seen, lost] : spots_) {
+    if (!lost.place) return false;
     const bool is_old = now - lost.since > time - going;  // it was shown last, so is forgotten, so much sooner
-    if (!lost.place) {
-      if (is_old) return false;
-      continue;
-    }
     const Point2 here = seen_after(*lost.place);
     if (is_old && eye.sees(here)) return false;
     if (is_old || is_near_one(here, lost)) ++known_ones;

@@ -46,8 +46,10 @@ class LostSpots {
 
   /// Whether nearly all of them are among what is known around a robot at `pose` and was shown last when they were, or
   /// just where it has been shown since: the rest of a long thing, which is still shown, tells nothing of its end, but
-  /// a robot that backs off sees again what it had lost. After `time` [s], when places are forgotten, none is known but
-  /// what lies elsewhere than where the eye looks: one that is left would speak for another beside it.
+  /// a robot that backs off sees again what it had lost. None of them is of which nobody knows where it is, however
+  /// many others are: of what was lost before a restart few spots are left. After `time` [s], when places are
+  /// forgotten, none is known but what lies elsewhere than where the eye looks: one that is left would speak for
+  /// another beside it.
   bool are_among(const std::vector<KnownPlace>& known, const Pose2& pose, const Eye& eye, double time,
                  double now) const;
 

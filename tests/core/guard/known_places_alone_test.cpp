@@ -82,5 +82,24 @@ TEST(LostSpots, OneThatIsForgottenIsNotKnownByAllTheOthers) {
   EXPECT_TRUE(are_known(60.0, aside));
 }
 
+/// Few spots are kept over a restart, and many are lost since.
+TEST(LostSpots, OneThatHasNoPlaceIsNotKnownByAllTheOthers) {
+  const Outlook camera({}, std::get<Placement>(xtion()));
+  const Eye eye{{-0.087, 0.0}, {1.0, 0.0}, 0.5};
+  for (const bool any_of_before : {false, true}) {
+    std::vector<Point> spots;
+    if (any_of_before) spots.emplace_back(0.0f, 0.0f, 0.3f);
+    LostSpots lost;
+    lost.note(spots, std::nullopt, 10.0);
+    std::vector<KnownPlace> person;
+    for (int i = 0; i < 30; ++i) {
+      spots.emplace_back(0.005f * static_cast<float>(i - 15), 0.0f, 0.38f);
+      person.push_back({{0.38 - 0.087, -double{spots.back().x}}, spots.back(), 0.0, 12.0});
+    }
+    lost.note(spots, LostSpots::Before{camera, {}}, 12.0);
+    EXPECT_EQ(lost.are_among(person, {}, eye, 30.0, 13.0), !any_of_before);
+  }
+}
+
 }  // namespace
 }  // namespace safety_control_cloud
