@@ -47,11 +47,10 @@ void note_what_went_alone(std::vector<Spot>& before, const Thing& now, float nea
   for (Spot& spot : before) {
     if (spot.point.z >= near) continue;
     const Vector there = spot.point.getVector3fMap() + way;
-    spot.went_alone = false;
-    if (farthest - there.z() <= as_near) continue;  // as of most of a wall straight ahead
+    const bool may_be_behind = farthest - there.z() > as_near;  // not of most of a wall straight ahead
     float least = std::numeric_limits<float>::infinity(), behind = 0.0f;
-    for (const Spot& seen : now.spots) {
-      const Vector off = seen.point.getVector3fMap() - there;
+    for (std::size_t i = 0; may_be_behind && i < now.spots.size(); ++i) {
+      const Vector off = now.spots[i].point.getVector3fMap() - there;
       const float aside = off.head<2>().squaredNorm();
       if (aside < least) least = aside, behind = off.z();
     }

@@ -17,7 +17,7 @@ constexpr std::size_t probe = 4;
 bool NearGround::read_row(const Pixels& picture, const Outlook& outlook, float distance, std::size_t number,
                           Columns which) {
   const bool all = which == Columns::All;
-  const std::size_t step = (all ? 1 : probe) * column_step_, next = number + (all ? 1 : probe);
+  const std::size_t apart = all ? 1 : probe, step = apart * column_step_, next = number + apart;
   picture.read(picture_row(number), step, outlook, read_);
   if (next < shows_.size()) picture.fetch_row(picture_row(next), step);
   codes_read_.resize(columns_);

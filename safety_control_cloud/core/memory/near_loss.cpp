@@ -220,8 +220,8 @@ void NearLoss::write_down(bool lost, double now) {
     return !thing.lost.empty() || thing.seen.nearest < near_distance();
   };
   const auto& things = things_.things();
-  const bool none = std::none_of(things.begin(), things.end(), is_near);
-  const bool changed = lost != written_lost_ || none == written_near_;  // a kerb is written though none is near
+  const bool any_near = std::any_of(things.begin(), things.end(), is_near);
+  const bool changed = lost != written_lost_ || any_near != written_near_;  // a kerb is written though none is near
   if (!changed && now - written_at_ < write_period) return;
   std::vector<Remembered> near;
   std::copy_if(things.begin(), things.end(), std::back_inserter(near), is_near);
@@ -229,7 +229,7 @@ void NearLoss::write_down(bool lost, double now) {
       to_text({frame_.width, frame_.height, things_.blind_range(), std::move(near), low_.floor(), low_.any_beside()});
   written_at_ = now;
   written_lost_ = lost;
-  written_near_ = !none;
+  written_near_ = any_near;
 }
 
 bool NearLoss::restore(const std::string& text) {

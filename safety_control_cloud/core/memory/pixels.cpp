@@ -61,10 +61,9 @@ Pixels::Pixels(const View& view, float range_min, const RayHits* hits, const Usu
 }
 
 void Pixels::fetch_row(std::size_t row, std::size_t step) const {
-  constexpr std::size_t cache_line = 64;
   const std::size_t apart = std::max(cache_line, step * pixel_step_);
   const std::uint8_t* const first = bytes_ + row * row_step_;
-  for (std::size_t at = 0; at < width_ * pixel_step_; at += apart) fetch(first + at);
+  for (std::size_t at = 0; at < width_ * pixel_step_; at += apart) fetch_line(first + at);
 }
 
 void Pixels::look_along(const RayLines& rays) {

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "../input/fetch.hpp"
 #include "../input/point_reader.hpp"
 #include "../look/outlook.hpp"
 #include "../look/ray_lines.hpp"
@@ -58,7 +59,7 @@ class Pixels {
   /// The same for around(), of a place in the picture.
   void fetch_around(std::size_t row, std::size_t column) const {
     const std::size_t first = row - std::min<std::size_t>(1, row), last = std::min(row + 1, height_ - 1);
-    for (std::size_t i = first; i <= last; ++i) fetch(bytes_ + i * row_step_ + column * pixel_step_);
+    for (std::size_t i = first; i <= last; ++i) fetch_line(bytes_ + i * row_step_ + column * pixel_step_);
   }
   /// at() of a place that may lie beside the picture.
   Point near(std::ptrdiff_t row, std::ptrdiff_t column) const;
@@ -74,10 +75,6 @@ class Pixels {
   bool is_any(float x, float y, float z) const { return (0.0f * x + 0.0f * y + 0.0f * z == 0.0f) & (z > range_min_); }
   Point point_of(float x, float y, float z) const {
     return is_any(x, y, z) ? Point(x, y, z) : Point(0.0f, 0.0f, std::numeric_limits<float>::quiet_NaN());
-  }
-  static void fetch(const std::uint8_t* from) {
-    constexpr int outer_cache = 2;  // which can ask for more at once
-    __builtin_prefetch(from, 0, outer_cache);
   }
   template <class OneReader>
   static Point read(const Pixels& picture, std::size_t row, std::size_t column);

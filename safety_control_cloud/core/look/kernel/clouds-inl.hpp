@@ -7,35 +7,17 @@
 #define SAFETY_CONTROL_CLOUD_CLOUDS_INL
 #endif
 
-#include <hwy/cache_control.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
+#include "../../input/fetch.hpp"
 #include "visits-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace safety_control_cloud {
 namespace HWY_NAMESPACE {
 namespace {
-
-constexpr std::size_t cache_line = 64;  // [byte]
-
-/// Asks for the bytes that come up in a while. The processor sees by itself that a cloud is read from end to end, but
-/// asks too late, and not across the end of a page. Behind the cloud it does no harm.
-HWY_INLINE void fetch_early(const std::uint8_t* from, std::size_t size) {
-  constexpr std::size_t distance = 4096;
-  constexpr int outer_cache = 2;  // which can ask for more at once
-  for (std::size_t i = 0; i < size; i += cache_line) __builtin_prefetch(from + distance + i, 0, outer_cache);
-}
-
-/// The same, and those that come up soon into the inner cache.
-HWY_INLINE void fetch_ahead(const std::uint8_t* from, std::size_t size) {
-  constexpr std::size_t distance = 1024;
-  fetch_early(from, size);
-  for (std::size_t i = 0; i < size; i += cache_line) hwy::Prefetch(from + distance + i);
-}
 
 #if HWY_TARGET != HWY_SCALAR
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace safety_control_cloud {
+
+constexpr std::size_t cache_line = 64;  ///< [byte]
+
+/// Asks for a line that will be read in a while, into the outer cache, which can ask for more at once than the inner.
+/// Where nothing lies it does no harm.
+[[gnu::always_inline]] inline void fetch_line(const std::uint8_t* from) { __builtin_prefetch(from, 0, 2); }
+
+/// The same for the bytes that come up, where a cloud is read from end to end: the processor sees that by itself, but
+/// asks too late, and not across the end of a page.
+[[gnu::always_inline]] inline void fetch_early(const std::uint8_t* from, std::size_t size) {
+  constexpr std::size_t distance = 4096;
+  for (std::size_t i = 0; i < size; i += cache_line) fetch_line(from + distance + i);
+}
+
+/// The same, and those that come up soon into the inner cache.
+[[gnu::always_inline]] inline void fetch_ahead(const std::uint8_t* from, std::size_t size) {
+  constexpr std::size_t distance = 1024;
+  fetch_early(from, size);
+  for (std::size_t i = 0; i < size; i += cache_line) __builtin_prefetch(from + distance + i);
+}
+
+}  // namespace safety_control_cloud
