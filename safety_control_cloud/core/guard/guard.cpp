@@ -11,8 +11,8 @@ namespace safety_control_cloud {
 namespace {
 
 constexpr double most_beside = 0.1;    ///< [m] what lies beside a picture counts as nearer than reckoned by no more
+constexpr double well_reckoned = 0.2;  ///< [m] off by no more it most likely is where it was reckoned to be
 constexpr double sharp = 1.0;          ///< [rad/m]
-constexpr double well_reckoned = 0.2;  ///< [m] what may be off by more may as well be behind, or in the picture
 
 Allowed standing(const std::string& sensor, const Doubt& doubt) {
   return {0.0, 0.0, std::nullopt, sensor, doubt.cause, doubt.reason};
@@ -32,6 +32,14 @@ std::string in_words(const Limit& limit, const Point2& point) {
 }
 
 bool turns_sharply(const Twist2& twist) { return std::abs(twist.w) > sharp * speed_of(twist); }
+
+/// [m] By how much nearer than it was reckoned to be something counts that may be off by `widening`.
+double counted_nearer(double widening, const Known& known, bool is_shown, const Twist2& wanted) {
+  if (known.is_missed) return std::min(well_reckoned, widening);
+  if (!is_shown) return widening;
+  const double tolerated = turns_sharply(wanted) ? 0.0 : well_reckoned;
+  return std::clamp(widening - tolerated, 0.0, most_beside);
+}
 
 bool may_leave(const Known& known, const Twist2& wanted) {
   if (!known.eye) return false;
@@ -188,15 +196,13 @@ Allowed Guard::by_sight(const Twist2& wanted, const UnderWay& under_way, const K
 /// Returns of the rings inside count as touched already, so that an obstacle that two rings share is one. What is
 /// placed by what the base was told counts wherever it may be; for who drives where the sensor looks that saw it, only
 /// beside what that shows, and where it is most likely to be, or he would not get past anything: not far from there, if
-/// he turns toward it. What its picture misses counts for him too, wherever it may be within that.
+/// he turns toward it, or nobody knows well where it is. What its picture misses counts for him too, wherever it may be
+/// within that.
 Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Known& known, const Ring& ring,
                        std::size_t nearer, bool is_shown) const {
   Allowed least;
   if (ring.returns == 0) return least;
-  if (is_shown && !known.is_missed && ring.obstacles.widening > well_reckoned) return least;
-  const double off = known.is_missed ? std::min(well_reckoned, ring.obstacles.widening)
-                     : is_shown ? (turns_sharply(wanted) ? std::clamp(ring.obstacles.widening, 0.0, most_beside) : 0.0)
-                                : ring.obstacles.widening;
+  const double off = counted_nearer(ring.obstacles.widening, known, is_shown, wanted);
   const double widening = off + half_of_gap(known.ways, std::sqrt(2.0) * ring.extent);
   if (!(outline_.margin() + widening <= most_margin))
     return standing(known.sensor, {Cause::Seen, "something was near, and may be anywhere by now"});

@@ -166,6 +166,20 @@ TEST(WithoutOdometry, WhatIsBesideThePictureMayBeNearerThanItMostLikelyIsToWhoTu
   EXPECT_EQ(robot.drives_on(robot.hall, {0.3, 0.0, -0.2}).factor, 1.0) << robot.wants({0.3, 0.0, -0.2}).reason;
 }
 
+/// It has turned to and fro since: who is well known to be beside the way is driven past, who is not may be nearer.
+TEST(WithoutOdometry, WhatIsBesideThePictureAndNotWellKnownMayBeNearerThanItMostLikelyIs) {
+  const Twist2 there{0.3, 0.0, -0.2};
+  for (const int turns : {0, 2}) {
+    RobotWithoutOdometry robot;
+    for (float ahead = 0.8f; ahead > 0.35f; ahead -= 0.015f)
+      robot.drives_on(ahead > 0.7f ? Scene({post(ahead, 0.33f)}) : robot.hall, {0.3, 0.0, 0.0});
+    for (int i = 0; i < turns; ++i)
+      for (const double turning : {0.5, -0.5}) robot.turns_around(robot.hall, turning, 0.5);
+    robot.passes(1.0, robot.hall);
+    EXPECT_EQ(robot.drives_on(robot.hall, there).factor<1.0, turns> 0) << robot.wants(there).reason;
+  }
+}
+
 /// Slower than anybody drives, for as long as it takes.
 TEST(WithoutOdometry, WhoCreepsDrivesToo) {
   RobotWithoutOdometry robot;
