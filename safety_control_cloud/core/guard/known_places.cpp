@@ -18,6 +18,7 @@ constexpr double beyond_range = 0.05;  ///< [m] at which a camera may still be b
 constexpr double own_size = 0.01;      ///< [m] to each side: one of several places, of which not every one is kept
 constexpr double lowest_rows = 0.3;    ///< of the picture: what ends above them hides no near floor
 constexpr double beside = 0.04;        ///< [m] a spot may lie by as much to twice as much beside what is known of it
+constexpr double above = 0.1;          ///< [m] or below: of so much, one height is kept (out_of_sight.cpp, layer)
 constexpr double nearly_all = 0.9;     ///< of the spots: some lie in the air behind an edge
 constexpr double most_off = 0.05;      ///< [m] what may lie farther from its place tells nothing
 constexpr double going = 0.3;  ///< [s] in which a thing goes out of sight, shown in one picture and not in the next
@@ -71,12 +72,11 @@ void LostSpots::note(const std::vector<Point>& lost, const std::optional<Before>
       spots.insert(*found);
       continue;
     }
-    std::optional<Point2> place;
-    if (before) {
-      const Point there = before->camera.placed(spot.x, spot.y, spot.z);
-      place = beyond(before->pose, {{there.z, -there.x}, 0.0}).place;
-    }
-    spots[seen] = {place, now};
+    Lost& lost_now = spots[seen] = {std::nullopt, 0.0, now};
+    if (!before) continue;
+    const Point there = before->camera.placed(spot.x, spot.y, spot.z);
+    lost_now.place = beyond(before->pose, {{there.z, -there.x}, 0.0}).place;
+    lost_now.height = -there.y;
   }
   spots_ = std::move(spots);
 }
@@ -93,6 +93,7 @@ bool LostSpots::are_among(const std::vector<KnownPlace>& known, const Pose2& pos
   const SeenAfter seen_after(pose);
   const auto is_near_one = [&](const Point2& here, const Lost& lost) {
     const auto tells = [&](const KnownPlace* one) {
+      if (std::abs(one->height - lost.height) > above) return false;
       return one->shown_at <= lost.since + going || length_of(one->place - here) <= same;
     };
     const auto [x, y] = cell_of(here);

@@ -17,6 +17,7 @@ namespace safety_control_cloud {
 /// Something that rests, and of which one knows where it is now.
 struct KnownPlace {
   Point2 place;            ///< [m] in base_frame
+  double height;           ///< [m] above it
   Point seen_from_camera;  ///< [m] in the frame of the camera that asks
   double off;              ///< [m] by which it may be displaced
   double shown_at = 0.0;   ///< [s] steady, last
@@ -56,7 +57,7 @@ class LostSpots {
  private:
   struct Lost {
     std::optional<Point2> place;
-    double since;  ///< [s]
+    double height, since;  ///< [m] above base_frame, [s]
   };
 
   std::map<std::array<float, 3>, Lost> spots_;  ///< by where they were seen

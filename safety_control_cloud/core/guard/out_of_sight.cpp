@@ -201,7 +201,7 @@ std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Whereab
     if (place.last_seen - place.first_seen < rests_for || here.off > well_known) return;
     const double off = here.off + limits_.speed * (now - place.last_seen);
     places.push_back(
-        {here.place, camera.seen_from_camera(in_corridor_axes(here.place, place.z)), off, place.last_seen});
+        {here.place, place.z, camera.seen_from_camera(in_corridor_axes(here.place, place.z)), off, place.last_seen});
   });
   return places;
 }

@@ -11,11 +11,12 @@
 namespace safety_control_cloud {
 namespace {
 
+constexpr double camera_height = 0.2972;  // xtion.hpp
 const FieldOfView xtion_field{-0.577, 0.577, -0.433, 0.433};
 
 /// A place that stands on the floor, so far ahead of the camera and to its right.
 KnownPlace standing(float ahead, float right, double off = 0.01) {
-  return {{}, Point(right, 0.35f * ahead, ahead), off};
+  return {{}, 0.0, Point(right, 0.35f * ahead, ahead), off};
 }
 
 std::vector<KnownPlace> standing_across(float ahead, float from, float to, double off = 0.01) {
@@ -49,14 +50,17 @@ TEST(LostSpots, WhatIsShownAgainJustThereIsKnown) {
   const Eye eye{{-0.087, 0.0}, {1.0, 0.0}, 0.5};
   LostSpots lost;
   lost.note({spot}, LostSpots::Before{camera, pose}, 10.0);
-  const auto known_by = [&](double beside, double shown_at, double off = 0.0) {
-    const KnownPlace place{{0.6 - 0.087, -0.1 + beside}, spot, off, shown_at};
+  const auto known_by = [&](double beside, double shown_at, double off = 0.0, double above = 0.0) {
+    const KnownPlace place{{0.6 - 0.087, -0.1 + beside}, camera_height + above, spot, off, shown_at};
     return lost.are_among({place}, pose, eye, 30.0, 15.0);
   };
   EXPECT_TRUE(known_by(0.03, 10.1)) << "it was shown there last";
   EXPECT_FALSE(known_by(0.03, 15.0)) << "as the rest of it is";
   EXPECT_TRUE(known_by(0.01, 15.0)) << "it is";
   EXPECT_FALSE(known_by(0.01, 15.0, 0.1)) << "nobody knows whether there";
+  EXPECT_TRUE(known_by(0.03, 10.1, 0.0, -0.09)) << "one height of so much is kept";
+  EXPECT_FALSE(known_by(0.03, 10.1, 0.0, -0.15)) << "what stands below";
+  EXPECT_FALSE(known_by(0.01, 15.0, 0.0, 0.15)) << "what hangs above";
 }
 
 /// A rod before a board: when its place is forgotten, that of the board, which was lost later, does not speak for it.
@@ -71,7 +75,7 @@ TEST(LostSpots, OneThatIsForgottenIsNotKnownByAllTheOthers) {
   for (int i = 0; i < 20; ++i) {
     const float aside_of_it = 0.01f * static_cast<float>(i - 10);
     spots.emplace_back(aside_of_it, 0.0f, 0.6f);
-    board.push_back({{0.6 - 0.087, double{-aside_of_it}}, spots.back(), 0.0, 20.0});
+    board.push_back({{0.6 - 0.087, double{-aside_of_it}}, camera_height, spots.back(), 0.0, 20.0});
   }
   lost.note(spots, before, 20.0);
   const auto are_known = [&](double now, const Eye& eye) { return lost.are_among(board, {}, eye, 30.0, now); };
@@ -94,7 +98,7 @@ TEST(LostSpots, OneThatHasNoPlaceIsNotKnownByAllTheOthers) {
     std::vector<KnownPlace> person;
     for (int i = 0; i < 30; ++i) {
       spots.emplace_back(0.005f * static_cast<float>(i - 15), 0.0f, 0.38f);
-      person.push_back({{0.38 - 0.087, -double{spots.back().x}}, spots.back(), 0.0, 12.0});
+      person.push_back({{0.38 - 0.087, -double{spots.back().x}}, camera_height, spots.back(), 0.0, 12.0});
     }
     lost.note(spots, LostSpots::Before{camera, {}}, 12.0);
     EXPECT_EQ(lost.are_among(person, {}, eye, 30.0, 13.0), !any_of_before);
