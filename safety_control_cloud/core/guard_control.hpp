@@ -7,15 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "guard/closed_edges.hpp"
 #include "guard/given.hpp"
 #include "guard/guard.hpp"
-#include "guard/odometry.hpp"
 #include "guard/override.hpp"
-#include "guard_memory.hpp"
-#include "guard_sensor.hpp"
+#include "perception.hpp"
 #include "settings.hpp"
-#include "unplaced.hpp"
 
 namespace safety_control_cloud {
 
@@ -46,30 +42,40 @@ class GuardControl {
   explicit GuardControl(const Settings& settings);
 
   /// A reading of one of sensors_of(settings) has come, readable or not.
-  void see(const Reading& reading, const Origin& origin, const Instant& now, std::size_t sensor = 0);
+  void see(const Reading& reading, const Origin& origin, const Instant& now, std::size_t sensor = 0) {
+    perception_.see(reading, origin, now, sensor, given_);
+  }
 
   /// Somebody wants this; `stamp` [s, ROS]: of a command that has one.
   void want(const Command& wanted, const Instant& now, std::optional<double> stamp = std::nullopt);
 
   /// The base says where it is.
-  void note_odometry(double stamp, const Pose2& pose, const Twist2& twist) { odometry_.note(stamp, pose, twist); }
+  void note_odometry(double stamp, const Pose2& pose, const Twist2& twist) {
+    perception_.odometry().note(stamp, pose, twist);
+  }
 
   /// The same of whom tells poses alone.
   void note_pose(double stamp, const Pose2& pose) {
-    odometry_.note_pose(stamp, pose, settings_.max_speed, settings_.max_turn);
+    perception_.odometry().note_pose(stamp, pose, settings_.max_speed, settings_.max_turn);
   }
 
   /// What is in doubt outside of the sensors. From the next answer on the robot stands for it, until there is none.
-  void note_outside(std::optional<Doubt> doubt) { outside_ = std::move(doubt); }
+  void note_outside(std::optional<Doubt> doubt) { perception_.note_outside(std::move(doubt)); }
 
   /// What speaks against a sensor that its readings do not tell, until there is none.
-  void note_about(std::size_t sensor, std::optional<Doubt> doubt) { sensors_[sensor].note_outside(std::move(doubt)); }
+  void note_about(std::size_t sensor, std::optional<Doubt> doubt) {
+    perception_.sensor(sensor).note_outside(std::move(doubt));
+  }
 
   /// One of the settings' switches says of an edge whether it is touched there; who said so is no more; or what speaks
   /// against the switch.
-  void note_switch(std::size_t which, Edge edge, bool touched, const Instant& now);
-  void note_switch_gone(std::size_t which) { closed_.note_gone(which); }
-  void note_about_switch(std::size_t which, std::optional<Doubt> doubt);
+  void note_switch(std::size_t which, Edge edge, bool touched, const Instant& now) {
+    perception_.switches().note(which, edge, touched, now.steady);
+  }
+  void note_switch_gone(std::size_t which) { perception_.switches().note_gone(which); }
+  void note_about_switch(std::size_t which, std::optional<Doubt> doubt) {
+    perception_.switches().note_outside(which, std::move(doubt));
+  }
 
   /// Somebody asks that for a while nobody asks what is seen.
   OverrideReply ask_override(const OverrideWish& wish, const Instant& now);
@@ -83,15 +89,11 @@ class GuardControl {
   /// Goes on with other settings; throws like the constructor and then keeps the old ones.
   void adopt(const Settings& settings);
 
-  void forget_losses();
+  void forget_losses() { perception_.forget_losses(); }
 
-  /// What each sensor remembers, in their order, what is unplaced, and last what none shows any more. Before what a
-  /// sensor remembers stands its name, if it has one: who has none is the camera that drives in the other mode.
-  std::vector<std::string> remembered() const;
-
-  /// Goes on with what another process remembered, in either mode. False if not with all of it: for the rest the robot
-  /// stands.
-  bool recall(const std::vector<std::string>& remembered);
+  /// As lines, for another process to recall: perception.hpp.
+  std::vector<std::string> remembered() const { return perception_.remembered(); }
+  bool recall(const std::vector<std::string>& remembered) { return perception_.recall(remembered); }
 
   /// [s] until the next sensor or switch counts as silent, or what is wanted does not hold any more; infinite if none
   /// will.
@@ -104,29 +106,19 @@ class GuardControl {
   const Settings& settings() const { return settings_; }
 
  private:
-  void explain_blindness(std::size_t sensor, const Origin& origin, const Instant& now);
-  std::string written_name(const GuardSensor& sensor) const;
-  bool go_on_with(const std::string& line);
   std::vector<Known> known_at(const Instant& now);
-  std::optional<Known> known_of_unplaced(const Instant& now);
   UnderWay under_way(const Twist2& wanted, const Instant& now) const;
   Allowed overridden(const Twist2& wanted, const std::vector<Known>& known, const Instant& now) const;
   Allowed allowed_now(const Instant& now, const std::vector<Known>& known) const;
   const Guarded& settle(Allowed allowed, const Instant& now);
-  const Sight& sight_of(const std::string& sensor) const;
 
   Settings settings_;
   Guard guard_;
-  std::vector<GuardSensor> sensors_;
-  ClosedEdges closed_;
-  GuardMemory memory_;
-  Unplaced unplaced_;
-  Odometry odometry_;
+  Perception perception_;
   Given given_;
   std::optional<Command> wanted_;
   double wanted_at_ = 0.0;               ///< [s, steady]
   std::optional<std::string> unwanted_;  ///< why what is wanted is not obeyed, by its stamp
-  std::optional<Doubt> outside_;
   SightOverride override_;
   Guarded last_;
 };

@@ -3,13 +3,13 @@
 
 #include <cmath>
 
-#include "../../safety_control_cloud/core/guard_control.hpp"
+#include "../../safety_control_cloud/core/perception.hpp"
 #include "guard/robot_with_sensors.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
-TEST(GuardSensors, WhatAllSeeToBeFreePassesInEveryDirection) {
+TEST(Perception, WhatAllSeeToBeFreePassesInEveryDirection) {
   RobotWithSensors robot;
   for (const Twist2& twist :
        {Twist2{0.5, 0.0, 0.0}, Twist2{-0.4, 0.0, 0.0}, Twist2{0.3, 0.0, 0.8}, Twist2{0.0, 0.3, 0.0}}) {
@@ -18,7 +18,7 @@ TEST(GuardSensors, WhatAllSeeToBeFreePassesInEveryDirection) {
   }
 }
 
-TEST(GuardSensors, TheOneThatSeesAnObstacleDecidesAndIsNamed) {
+TEST(Perception, TheOneThatSeesAnObstacleDecidesAndIsNamed) {
   RobotWithSensors robot;
   robot.behind = Scene({wall_before(0.3)});
   EXPECT_EQ(robot.drives({0.5, 0.0, 0.0}).factor, 1.0) << robot.drives({0.5, 0.0, 0.0}).reason;
@@ -29,7 +29,7 @@ TEST(GuardSensors, TheOneThatSeesAnObstacleDecidesAndIsNamed) {
   EXPECT_NEAR(back.point->x, -0.478, 0.05);
 }
 
-TEST(GuardSensors, OneThatIsRequiredAndInDoubtStopsEveryMotion) {
+TEST(Perception, OneThatIsRequiredAndInDoubtStopsEveryMotion) {
   for (const std::size_t lost : {front, laser}) {
     RobotWithSensors robot;
     ASSERT_EQ(robot.drives({0.3, 0.0, 0.0}).factor, 1.0);
@@ -47,7 +47,7 @@ TEST(GuardSensors, OneThatIsRequiredAndInDoubtStopsEveryMotion) {
   }
 }
 
-TEST(GuardSensors, OneThatIsNotRequiredOnlyStopsToCountAsHavingSeen) {
+TEST(Perception, OneThatIsNotRequiredOnlyStopsToCountAsHavingSeen) {
   RobotWithSensors robot(with_sensors(false));
   ASSERT_EQ(robot.drives({-0.3, 0.0, 0.0}).factor, 1.0);
   robot.rear_shows = robot.laser_shows = false;
@@ -60,7 +60,7 @@ TEST(GuardSensors, OneThatIsNotRequiredOnlyStopsToCountAsHavingSeen) {
   EXPECT_TRUE((robot.rear_shows = robot.laser_shows = true, robot.drives({-0.3, 0.0, 0.0})).doubts.empty());
 }
 
-TEST(GuardSensors, WithoutAnyThatIsRequiredAndNoneToBelieveItStands) {
+TEST(Perception, WithoutAnyThatIsRequiredAndNoneToBelieveItStands) {
   Settings settings = with_sensors(false);
   settings.sensors[front].required = false;
   RobotWithSensors robot(settings);
@@ -72,7 +72,7 @@ TEST(GuardSensors, WithoutAnyThatIsRequiredAndNoneToBelieveItStands) {
 }
 
 /// Each camera keeps what came near along its own way of looking.
-TEST(GuardSensors, WhatARearCameraLostClosesTheWayBack) {
+TEST(Perception, WhatARearCameraLostClosesTheWayBack) {
   RobotWithSensors robot;
   robot.laser_shows = true;
   robot.behind = Scene({post(0.6f, 0.0f)});
@@ -85,7 +85,7 @@ TEST(GuardSensors, WhatARearCameraLostClosesTheWayBack) {
   EXPECT_EQ(robot.drives({0.5, 0.0, 0.0}).factor, 1.0) << "the front camera looks there: " << back.reason;
 }
 
-TEST(GuardSensors, ACameraThatLooksUpIsNoSight) {
+TEST(Perception, ACameraThatLooksUpIsNoSight) {
   Settings settings = guard_settings();
   settings.sensors = {{"up", InputKind::Cloud, "up/points", true, {}}};
   GuardedRobot robot(settings);
@@ -100,7 +100,7 @@ TEST(GuardSensors, ACameraThatLooksUpIsNoSight) {
   EXPECT_EQ(robot.wants({0.05, 0.0, 0.0}).cause, Cause::WrongView) << robot.wants({0.05, 0.0, 0.0}).reason;
 }
 
-TEST(GuardSensors, WhatEachRemembersOutlivesTheProcess) {
+TEST(Perception, WhatEachRemembersOutlivesTheProcess) {
   RobotWithSensors before;
   before.behind = Scene({post(0.6f, 0.0f)});
   before.drives({0.1, 0.0, 0.0});
@@ -121,7 +121,7 @@ TEST(GuardSensors, WhatEachRemembersOutlivesTheProcess) {
   EXPECT_FALSE(GuardControl(without_rear).recall(remembered));
 }
 
-TEST(GuardSensors, TheSoonestToBeSilentIsTold) {
+TEST(Perception, TheSoonestToBeSilentIsTold) {
   Settings settings = with_sensors();
   settings.sensors[laser].own["source_timeout"] = 0.2;
   RobotWithSensors robot(settings);
@@ -133,7 +133,7 @@ TEST(GuardSensors, TheSoonestToBeSilentIsTold) {
   EXPECT_EQ(robot.wants({0.1, 0.0, 0.0}).cause, Cause::Silent);
 }
 
-TEST(GuardSensors, AnAnswerIsDueBeforeTheFastestWouldLookAgain) {
+TEST(Perception, AnAnswerIsDueBeforeTheFastestWouldLookAgain) {
   Settings settings = with_sensors();
   settings.publish_rate = 5.0;
   settings.stopping.sensor_period = 0.1;
@@ -149,7 +149,7 @@ TEST(GuardSensors, AnAnswerIsDueBeforeTheFastestWouldLookAgain) {
 }
 
 /// It looks seldom, and nobody requires it; what it showed is not forgotten for a change of something else.
-TEST(GuardSensors, AfterALiveChangeOneThatIsNotRequiredIsWaitedForToo) {
+TEST(Perception, AfterALiveChangeOneThatIsNotRequiredIsWaitedForToo) {
   Settings settings = with_sensors();
   settings.memory_distance = 0.0;
   RobotWithSensors robot(settings);
@@ -164,7 +164,7 @@ TEST(GuardSensors, AfterALiveChangeOneThatIsNotRequiredIsWaitedForToo) {
   EXPECT_GT(robot.wants({-0.2, 0.0, 0.0}).factor, 0.0) << "silent by now, it is as good as not there";
 }
 
-TEST(GuardSensors, ALiveChangeHoldsForAllAndLeavesEachItsOwn) {
+TEST(Perception, ALiveChangeHoldsForAllAndLeavesEachItsOwn) {
   RobotWithSensors robot;
   ASSERT_EQ(robot.drives({0.5, 0.0, 0.0}).factor, 1.0);
   Settings changed = with_sensors();
