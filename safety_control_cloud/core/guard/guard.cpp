@@ -196,12 +196,14 @@ Allowed Guard::by_sight(const Twist2& wanted, const UnderWay& under_way, const K
 /// Returns of the rings inside count as touched already, so that an obstacle that two rings share is one. What is
 /// placed by what the base was told counts wherever it may be; for who drives where the sensor looks that saw it, only
 /// beside what that shows, and where it is most likely to be, or he would not get past anything: not far from there, if
-/// he turns toward it, or nobody knows well where it is. What its picture misses counts for him too, wherever it may be
-/// within that.
+/// he turns toward it, or nobody knows well where it is, who then is let creep as where nothing is seen. What its
+/// picture misses counts for him too, wherever it may be within that.
 Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Known& known, const Ring& ring,
                        std::size_t nearer, bool is_shown) const {
   Allowed least;
   if (ring.returns == 0) return least;
+  const bool is_vague = is_shown && !known.is_missed && ring.obstacles.widening > well_reckoned;
+  const double creeping = is_vague ? std::min(1.0, settings_.unseen_speed / fastest_point(outline_, wanted)) : 0.0;
   const double off = counted_nearer(ring.obstacles.widening, known, is_shown, wanted);
   const double widening = off + half_of_gap(known.ways, std::sqrt(2.0) * ring.extent);
   if (!(outline_.margin() + widening <= most_margin))
@@ -219,7 +221,8 @@ Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Kn
       moved = approached(moved, outline_, wanted);
     else if (is_shown)
       moved = beside_view(moved, *known.seen_by, outline_, wanted);
-    const Limit limit = safety_control_cloud::limit(outline, law, moved, known.age, under_way, wanted);
+    Limit limit = safety_control_cloud::limit(outline, law, moved, known.age, under_way, wanted);
+    limit.factor = std::max(limit.factor, creeping);
     if (!(limit.factor < least.factor)) continue;
     const Contact decider = limit.contact.point ? limit.contact : on_the_path(outline, moved, wanted);
     least = {limit.factor, decider.time, std::nullopt, known.sensor, Cause::Seen, "something lies beside the path"};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "robot_with_odometry.hpp"
@@ -167,16 +168,21 @@ TEST(WithoutOdometry, WhatIsBesideThePictureMayBeNearerThanItMostLikelyIsToWhoTu
 }
 
 /// It has turned to and fro since: who is well known to be beside the way is driven past, who is not may be nearer.
-TEST(WithoutOdometry, WhatIsBesideThePictureAndNotWellKnownMayBeNearerThanItMostLikelyIs) {
+TEST(WithoutOdometry, WhatIsBesideThePictureAndNotWellKnownIsCreptPast) {
   const Twist2 there{0.3, 0.0, -0.2};
   for (const int turns : {0, 2}) {
-    RobotWithoutOdometry robot;
+    Settings settings = remembering();
+    settings.unseen_speed = 0.1;
+    RobotWithoutOdometry robot(settings);
     for (float ahead = 0.8f; ahead > 0.35f; ahead -= 0.015f)
       robot.drives_on(ahead > 0.7f ? Scene({post(ahead, 0.33f)}) : robot.hall, {0.3, 0.0, 0.0});
     for (int i = 0; i < turns; ++i)
       for (const double turning : {0.5, -0.5}) robot.turns_around(robot.hall, turning, 0.5);
     robot.passes(1.0, robot.hall);
-    EXPECT_EQ(robot.drives_on(robot.hall, there).factor<1.0, turns> 0) << robot.wants(there).reason;
+    double least = 1.0;
+    for (int k = 0; k < 10; ++k) least = std::min(least, robot.drives_on(robot.hall, there).factor);
+    const double creeping = settings.unseen_speed / (0.3 + 0.2 * 0.178);
+    EXPECT_NEAR(least, turns > 0 ? creeping : 1.0, 1e-3) << robot.wants(there).reason;
   }
 }
 
