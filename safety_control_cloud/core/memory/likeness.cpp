@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/lines.hpp"
+
 namespace safety_control_cloud {
 namespace {
 
@@ -14,6 +16,27 @@ constexpr std::size_t enough_spots = 24;
 constexpr float as_near = 0.02f;
 
 using Vector = Eigen::Vector3f;
+
+/// Of spots, to be asked about many at a time.
+class Places {
+ public:
+  explicit Places(const std::vector<Spot>& spots) : size_(spots.size()), coordinates_(3 * size_) {
+    float* to = coordinates_.data();
+    for (const Spot& spot : spots) {
+      to[0] = spot.point.x, to[size_] = spot.point.y, to[2 * size_] = spot.point.z;
+      ++to;
+    }
+  }
+
+  lines::PixelsOfRow all() const {
+    const float* const x = coordinates_.data();
+    return {x, x + size_, x + 2 * size_, size_};
+  }
+
+ private:
+  std::size_t size_;
+  std::vector<float> coordinates_;
+};
 
 Vector middle_of(const std::vector<Spot>& spots) {
   Vector sum = Vector::Zero();
@@ -26,11 +49,11 @@ Vector middle_of(const std::vector<Spot>& spots) {
 
 Likeness likeness_of(const std::vector<Spot>& before, const Thing& now) {
   constexpr float far = farthest_step * farthest_step;
+  const Places seen(now.spots);
   std::size_t close = 0, asked = 0;
   double closeness = 0.0;
   for (std::size_t i = 0; i < before.size(); i += 1 + before.size() / enough_spots, ++asked) {
-    float least = far;
-    for (const Spot& spot : now.spots) least = std::min(least, squared_distance(before[i].point, spot.point));
+    const float least = lines::least_square(seen.all(), before[i].point, far);
     close += least < far;
     closeness += 1.0 - std::sqrt(double{least}) / double{farthest_step};
   }

@@ -13,6 +13,7 @@
 
 #include "../../../safety_control_cloud/core/look/kernel/scan.hpp"
 #include "../../../safety_control_cloud/core/look/outlook.hpp"
+#include "../../../safety_control_cloud/core/memory/likeness.hpp"
 
 namespace safety_control_cloud::lines {
 namespace {
@@ -162,6 +163,19 @@ TEST_P(Lines, ListWhatIsTouchedOnAllSides) {
     for (std::uint32_t j = begin; j < end; ++j)
       if (touched[j] == AllSides) expected.push_back(j);
     ASSERT_EQ(inner, expected);
+  }
+}
+
+TEST_P(Lines, TellTheNearestOfSomePointsAsTheDistanceBetweenTwoDoes) {
+  for (int i = 0; i < times; ++i) {
+    Row row(random_() % 200);
+    for (auto* values : {&row.x, &row.y, &row.z})
+      for (float& value : *values) value = between(-0.4f, 1.4f);
+    const Point from(between(-0.4f, 0.4f), between(-0.4f, 0.4f), between(0.2f, 1.4f));
+    float expected = 0.0225f;
+    for (std::size_t j = 0; j < row.z.size(); ++j)
+      expected = std::min(expected, squared_distance(from, Point(row.x[j], row.y[j], row.z[j])));
+    ASSERT_EQ(least_square(row.pixels(), from, 0.0225f), expected);
   }
 }
 

@@ -24,6 +24,9 @@ struct PixelsOfRow {
 void place(const PixelsOfRow& pixels, float range_min, const std::optional<Placement>& placement, float* x, float* y,
            float* z);
 
+/// How far the nearest of some points is from another one; `most` if they are farther away [m2].
+float least_square(const PixelsOfRow& points, const Point& from, float most);
+
 /// Seen from here, in the corridor's axes.
 struct Surrounding {
   Corridor corridor;

@@ -51,6 +51,27 @@ void place(const PixelsOfRow& pixels, float range_min, const std::optional<Place
 }
 
 float find_near(const PixelsOfRow& pixels, const Surrounding& around, float* ahead) {
+float least_square(const PixelsOfRow& points, const Point& from, float most) {
+  const hn::ScalableTag<float> tag;
+  constexpr std::size_t lanes = hn::MaxLanes(tag);
+  const auto from_x = hn::Set(tag, from.x), from_y = hn::Set(tag, from.y), from_z = hn::Set(tag, from.z);
+  auto least = hn::Set(tag, most);
+  const auto take = [&](std::size_t i) HWY_ATTR {
+    const auto x = hn::Sub(from_x, hn::LoadU(tag, points.x + i)), y = hn::Sub(from_y, hn::LoadU(tag, points.y + i));
+    const auto z = hn::Sub(from_z, hn::LoadU(tag, points.z + i));
+    least = hn::Min(least, hn::Add(hn::Mul(x, x), hn::Add(hn::Mul(y, y), hn::Mul(z, z))));
+  };
+  for (std::size_t i = 0; i + lanes <= points.size; i += lanes) take(i);
+  if (points.size >= lanes) take(points.size - lanes);  // some of them once more
+  float of_all = hn::GetLane(hn::MinOfLanes(tag, least));
+  for (std::size_t i = 0; points.size < lanes && i < points.size; ++i) {
+    const float x = from.x - points.x[i], y = from.y - points.y[i], z = from.z - points.z[i];
+    const float square = x * x + (y * y + z * z);
+    of_all = square < of_all ? square : of_all;
+  }
+  return of_all;
+}
+
   const float *const x = pixels.x, *const y = pixels.y, *const z = pixels.z;
   const float x_min = around.corridor.x_min, x_max = around.corridor.x_max;
   const float y_min = around.corridor.y_min, y_max = around.corridor.y_max;
@@ -211,6 +232,7 @@ HWY_EXPORT(place);
 HWY_EXPORT(find_near);
 HWY_EXPORT(find_ground);
 HWY_EXPORT(go_on_along);
+HWY_EXPORT(least_square);
 HWY_EXPORT(go_on_up);
 HWY_EXPORT(in_slots);
 HWY_EXPORT(note_lowest);
@@ -224,6 +246,10 @@ void place(const PixelsOfRow& pixels, float range_min, const std::optional<Place
 float find_near(const PixelsOfRow& pixels, const Surrounding& around, float* ahead) {
   return HWY_DYNAMIC_DISPATCH(find_near)(pixels, around, ahead);
 }
+float least_square(const PixelsOfRow& points, const Point& from, float most) {
+  return HWY_DYNAMIC_DISPATCH(least_square)(points, from, most);
+}
+
 
 int find_ground(const PixelsOfRow& pixels, const Surrounding& around, std::int16_t* ground, float* ahead) {
   return HWY_DYNAMIC_DISPATCH(find_ground)(pixels, around, ground, ahead);
