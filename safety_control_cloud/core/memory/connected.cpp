@@ -46,7 +46,7 @@ void for_each_mark_in(Word marks, const Do& does) {
 Connected::Connected(const NearPixels& found, float jump)
     : found_(found),
       jump_(jump),
-      touched_(found.ahead.size(), 0),
+      touched_(found.ahead.size() + lines::in_word, 0),
       back_(found.slots + gap, 0),
       begins_(whole_words(found.slots), 0),
       up_(whole_words(found.slots), 0) {

@@ -54,7 +54,7 @@ class Connected {
   /// Those that are one, line by line; of these, by the first of each.
   const std::vector<Stretches>& things() const { return things_; }
 
-  /// Of each slot, on which sides its pixel touches others of its thing.
+  /// Of each slot, on which sides its pixel touches others of its thing; and behind the last, a word of none.
   const std::vector<std::uint32_t>& touched() const { return touched_; }
 
   float jump() const { return jump_; }
@@ -84,7 +84,7 @@ class Connected {
   const float jump_;
   Union runs_;  ///< what is connected along a line is one, so that these are joined and not every pixel
   std::vector<Stretch> stretches_;      ///< of each run
-  std::vector<std::uint32_t> touched_;  ///< of each slot, on which sides
+  std::vector<std::uint32_t> touched_;  ///< of each slot, on which sides, and as touched()
   std::vector<Stretches> things_;
   // Of each slot of a line.
   std::vector<int> back_;

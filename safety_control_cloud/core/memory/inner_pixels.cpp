@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <memory>
 
 #include "kernel/lines.hpp"
@@ -15,56 +14,87 @@ using Index = NearPixels::Index;
 
 constexpr std::size_t thin_run = 4;  // successive pixels of a line: fewer are the corner of something, or noise
 
-bool is_inner(const Connected& connected, Index i) { return connected.touched()[i] == lines::AllSides; }
-
-/// In a slot of a line: to tell them by the index takes a division, longer than the rest.
-bool is_beside_inner(const NearPixels& found, const Connected& connected, std::size_t line, std::size_t slot) {
-  const float ahead = found.ahead[line * found.slots + slot];
-  for (std::size_t l = line - std::min<std::size_t>(1, line); l < std::min(line + 2, found.rows.size()); ++l) {
-    for (std::size_t s = slot - std::min<std::size_t>(1, slot); s < std::min(slot + 2, found.slots); ++s) {
-      const auto other = static_cast<Index>(l * found.slots + s);
-      if (is_inner(connected, other) && std::abs(found.ahead[other] - ahead) <= connected.jump()) return true;
-    }
+/// Lists what is chosen of a thing, in the pixels' order.
+class Choice {
+ public:
+  Choice(const NearPixels& found, const Connected& connected, const Stretches& all)
+      : found_(found), touched_(connected.touched().data()), jump_(connected.jump()) {
+    std::size_t slots = 0, longest = 0;
+    for (const Stretch& some : all) slots += size_of(some), longest = std::max(longest, size_of(some));
+    listed_.reset(new Index[slots]);
+    inner_.resize(lines::words_for(longest));
+    for (const Stretch& some : all) add(some);
   }
-  return false;
-}
 
-/// Of successive pixels of a line, none of which is inner, those that do not border on inner ones either.
-void add_far_from_inner(const NearPixels& found, const Connected& connected, const std::vector<Index>& pixels,
-                        std::vector<Index>& to) {
-  const std::size_t line = found.line_of(pixels.front()), first = line * found.slots;
-  std::size_t run = 0;
-  const auto end_run = [&] {
-    if (run < thin_run) to.resize(to.size() - run);
-    run = 0;
-  };
-  for (const Index i : pixels) {
-    if (is_beside_inner(found, connected, line, i - first)) {
-      end_run();
-    } else {
-      to.push_back(i);
-      ++run;
-    }
+  std::vector<Index> all() const {
+    return any_inner_ ? std::vector<Index>(listed_.get(), listed_.get() + size_) : std::vector<Index>();
   }
-  end_run();
-}
 
-void add_thin(const NearPixels& found, const Connected& connected, const Stretch& some, std::vector<Index>& to) {
-  std::vector<Index> run;  // of pixels that are not inner: most are too short to be looked around
-  const auto end_run = [&] {
-    if (run.size() >= thin_run) add_far_from_inner(found, connected, run, to);
-    run.clear();
-  };
-  for (Index i = some.begin; i < some.end; ++i) {
-    if (!found.has_pixel(i)) continue;
-    if (is_inner(connected, i)) {
-      end_run();
-    } else {
-      run.push_back(i);
+ private:
+  /// The inner pixels, and what lies between one and the next.
+  void add(const Stretch& some) {
+    lines::mark_inner(touched_ + some.begin, size_of(some), inner_.data());
+    Index next = some.begin;
+    for (std::size_t word = 0; word < lines::words_for(size_of(some)); ++word) {
+      const auto first = some.begin + static_cast<Index>(word * lines::in_word);
+      for (std::uint64_t marks = inner_[word]; marks != 0; marks &= marks - 1) {
+        const Index inner = first + static_cast<Index>(__builtin_ctzll(marks));
+        if (inner - next >= thin_run) add_thin(next, inner);
+        listed_[size_++] = inner;
+        next = inner + 1;
+      }
     }
+    any_inner_ = any_inner_ || next > some.begin;
+    if (some.end - next >= thin_run) add_thin(next, some.end);
   }
-  end_run();
-}
+
+  /// Of slots of a line, none of whose pixels is inner; most have too few to be looked around.
+  void add_thin(Index begin, Index end) {
+    std::size_t pixels = 0;
+    for (Index i = begin; i < end; ++i) pixels += found_.has_pixel(i);
+    if (pixels >= thin_run) add_far_from_inner(begin, end);
+  }
+
+  /// Those that do not border on inner ones either, where enough follow one another.
+  void add_far_from_inner(Index begin, Index end) {
+    const auto slots = static_cast<Index>(found_.slots);
+    const std::size_t line = found_.line_of(begin);
+    const Index first = static_cast<Index>(line) * slots, last = first + slots - 1;
+    const Index up = line > 0 ? slots : 0, down = line + 1 < found_.rows.size() ? slots : 0;
+    std::size_t run = 0;
+    const auto end_run = [&] {
+      if (run < thin_run) size_ -= run;
+      run = 0;
+    };
+    for (Index i = begin; i < end; ++i) {
+      if (!found_.has_pixel(i)) continue;
+      const Index left = std::max(i, first + 1) - 1, right = std::min(i + 1, last);
+      const float ahead = found_.ahead[i];
+      if (any_inner(left - up, right - up, ahead) || any_inner(left, right, ahead) ||
+          any_inner(left + down, right + down, ahead)) {
+        end_run();
+      } else {
+        listed_[size_++] = i;
+        ++run;
+      }
+    }
+    end_run();
+  }
+
+  bool any_inner(Index first, Index last, float ahead) const {
+    for (Index i = first; i <= last; ++i)
+      if (touched_[i] == lines::AllSides && std::abs(found_.ahead[i] - ahead) <= jump_) return true;
+    return false;
+  }
+
+  const NearPixels& found_;
+  const std::uint32_t* const touched_;
+  const float jump_;
+  std::vector<std::uint64_t> inner_;  ///< of the slots of one stretch
+  std::unique_ptr<Index[]> listed_;
+  std::size_t size_ = 0;
+  bool any_inner_ = false;
+};
 
 }  // namespace
 
@@ -77,22 +107,7 @@ std::vector<Index> pixels_of(const NearPixels& found, const Stretches& all) {
 }
 
 std::vector<Index> inner_and_thin(const NearPixels& found, const Connected& connected, const Stretches& all) {
-  std::size_t most = 0, size = 0;
-  for (const Stretch& some : all) most += size_of(some);
-  const std::unique_ptr<Index[]> listed(new Index[most + lines::longest_vector]);
-  std::vector<Index> thin;
-  for (const Stretch& some : all) {
-    const std::size_t some_inner =
-        lines::list_inner(connected.touched().data(), some.begin, some.end, listed.get() + size);
-    if (size_of(some) >= some_inner + thin_run) add_thin(found, connected, some, thin);
-    size += some_inner;
-  }
-  std::vector<Index> inner(listed.get(), listed.get() + size);
-  if (inner.empty() || thin.empty()) return inner;
-  std::vector<Index> both;
-  both.reserve(inner.size() + thin.size());
-  std::merge(inner.begin(), inner.end(), thin.begin(), thin.end(), std::back_inserter(both));
-  return both;
+  return Choice(found, connected, all).all();
 }
 
 }  // namespace safety_control_cloud

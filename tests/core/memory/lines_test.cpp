@@ -153,15 +153,15 @@ TEST_P(Lines, SumUpSlots) {
   }
 }
 
-TEST_P(Lines, ListWhatIsTouchedOnAllSides) {
+TEST_P(Lines, MarkWhatIsTouchedOnAllSides) {
   for (int i = 0; i < times; ++i) {
-    std::vector<std::uint32_t> touched(1 + random_() % 200);
+    const std::size_t size = random_() % 200;
+    std::vector<std::uint32_t> touched(size + in_word);
     for (auto& sides : touched) sides = random_() % 3 ? std::uint32_t{AllSides} : random_() % 16;
-    const auto end = static_cast<std::uint32_t>(touched.size()), begin = static_cast<std::uint32_t>(random_() % end);
-    std::vector<std::uint32_t> inner(end - begin + longest_vector), expected;
-    inner.resize(list_inner(touched.data(), begin, end, inner.data()));
-    for (std::uint32_t j = begin; j < end; ++j)
-      if (touched[j] == AllSides) expected.push_back(j);
+    std::vector<std::uint64_t> inner(words_for(size)), expected(words_for(size), 0);
+    mark_inner(touched.data(), size, inner.data());
+    for (std::size_t j = 0; j < size; ++j)
+      if (touched[j] == AllSides) expected[j / in_word] |= std::uint64_t{1} << (j % in_word);
     ASSERT_EQ(inner, expected);
   }
 }

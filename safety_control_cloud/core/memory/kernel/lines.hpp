@@ -109,9 +109,12 @@ InSlots in_slots(const SomeSlots& some, const Corridor& corridor, float border);
 /// Where there is a pixel, its slot is the lowest so far; the first of these is `first`.
 void note_lowest(const SomeSlots& some, std::uint32_t first, std::uint32_t* lowest);
 
-/// Lists those of the slots [begin, end) that are touched on all sides, in their order; how many. Behind the last it
-/// may write as many more as the longest vector has lanes.
-std::size_t list_inner(const std::uint32_t* touched, std::uint32_t begin, std::uint32_t end, std::uint32_t* inner);
-constexpr std::size_t longest_vector = 64;
+/// As many slots as are told of in one word.
+constexpr std::size_t in_word = 64;
+inline std::size_t words_for(std::size_t slots) { return (slots + in_word - 1) / in_word; }
+
+/// Which slots are touched on all sides: of slot i, bit i % in_word of inner[i / in_word]. Reads whole words of slots,
+/// though of those from `size` on it says nothing.
+void mark_inner(const std::uint32_t* touched, std::size_t size, std::uint64_t* inner);
 
 }  // namespace safety_control_cloud::lines

@@ -2,6 +2,7 @@
 // Plain loops without a branch, since which pixels return is as good as random; this file is compiled once for every
 // instruction set, and the compiler makes vectors of them.
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "lines.hpp"
@@ -50,7 +51,6 @@ void place(const PixelsOfRow& pixels, float range_min, const std::optional<Place
   }
 }
 
-float find_near(const PixelsOfRow& pixels, const Surrounding& around, float* ahead) {
 float least_square(const PixelsOfRow& points, const Point& from, float most) {
   const hn::ScalableTag<float> tag;
   constexpr std::size_t lanes = hn::MaxLanes(tag);
@@ -72,6 +72,7 @@ float least_square(const PixelsOfRow& points, const Point& from, float most) {
   return of_all;
 }
 
+float find_near(const PixelsOfRow& pixels, const Surrounding& around, float* ahead) {
   const float *const x = pixels.x, *const y = pixels.y, *const z = pixels.z;
   const float x_min = around.corridor.x_min, x_max = around.corridor.x_max;
   const float y_min = around.corridor.y_min, y_max = around.corridor.y_max;
@@ -201,22 +202,24 @@ void note_lowest(const SomeSlots& some, std::uint32_t first, std::uint32_t* lowe
   for (std::uint32_t i = 0; i < size; ++i) lowest[i] = ahead[i] == ahead[i] ? first + i : lowest[i];
 }
 
-std::size_t list_inner(const std::uint32_t* touched, std::uint32_t begin, std::uint32_t end, std::uint32_t* inner) {
-  const hn::ScalableTag<std::uint32_t> tag;
-  constexpr std::size_t lanes = hn::MaxLanes(tag);
-  static_assert(lanes <= longest_vector);
-  std::size_t size = 0;
-  std::uint32_t i = begin;
-  for (; i + lanes <= end; i += static_cast<std::uint32_t>(lanes)) {
-    const auto is_inner = hn::Eq(hn::LoadU(tag, touched + i), hn::Set(tag, std::uint32_t{AllSides}));
-    hn::StoreU(hn::Compress(hn::Iota(tag, i), is_inner), tag, inner + size);  // CompressStore is slow on Zen 4
-    size += hn::CountTrue(tag, is_inner);
+/// Of eight bytes that are 0 or 1, each as one bit: the product moves the i-th to bit 56 + i.
+HWY_INLINE std::uint64_t bits_of(const std::uint8_t* bytes) {
+  std::uint64_t word;
+  std::memcpy(&word, bytes, sizeof word);
+  return (word * 0x0102040810204080u) >> 56;
+}
+
+static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the first byte is the least of its word");
+
+void mark_inner(const std::uint32_t* touched, std::size_t size, std::uint64_t* inner) {
+  for (std::size_t begin = 0; begin < size; begin += in_word) {
+    std::uint8_t is_inner[in_word];
+    for (std::size_t i = 0; i < in_word; ++i) is_inner[i] = touched[begin + i] == AllSides ? 1 : 0;
+    std::uint64_t word = 0;
+    for (std::size_t i = 0; i < in_word; i += 8) word |= bits_of(is_inner + i) << i;
+    const std::size_t left = size - begin;
+    inner[begin / in_word] = left < in_word ? word & ((std::uint64_t{1} << left) - 1) : word;
   }
-  for (; i < end; ++i) {
-    inner[size] = i;
-    size += touched[i] == AllSides ? 1 : 0;
-  }
-  return size;
 }
 
 }  // namespace
@@ -229,27 +232,27 @@ HWY_AFTER_NAMESPACE();
 namespace safety_control_cloud::lines {
 
 HWY_EXPORT(place);
+HWY_EXPORT(least_square);
 HWY_EXPORT(find_near);
 HWY_EXPORT(find_ground);
 HWY_EXPORT(go_on_along);
-HWY_EXPORT(least_square);
 HWY_EXPORT(go_on_up);
 HWY_EXPORT(in_slots);
 HWY_EXPORT(note_lowest);
-HWY_EXPORT(list_inner);
+HWY_EXPORT(mark_inner);
 
 void place(const PixelsOfRow& pixels, float range_min, const std::optional<Placement>& placement, float* x, float* y,
            float* z) {
   HWY_DYNAMIC_DISPATCH(place)(pixels, range_min, placement, x, y, z);
 }
 
-float find_near(const PixelsOfRow& pixels, const Surrounding& around, float* ahead) {
-  return HWY_DYNAMIC_DISPATCH(find_near)(pixels, around, ahead);
-}
 float least_square(const PixelsOfRow& points, const Point& from, float most) {
   return HWY_DYNAMIC_DISPATCH(least_square)(points, from, most);
 }
 
+float find_near(const PixelsOfRow& pixels, const Surrounding& around, float* ahead) {
+  return HWY_DYNAMIC_DISPATCH(find_near)(pixels, around, ahead);
+}
 
 int find_ground(const PixelsOfRow& pixels, const Surrounding& around, std::int16_t* ground, float* ahead) {
   return HWY_DYNAMIC_DISPATCH(find_ground)(pixels, around, ground, ahead);
@@ -273,8 +276,8 @@ void note_lowest(const SomeSlots& some, std::uint32_t first, std::uint32_t* lowe
   HWY_DYNAMIC_DISPATCH(note_lowest)(some, first, lowest);
 }
 
-std::size_t list_inner(const std::uint32_t* touched, std::uint32_t begin, std::uint32_t end, std::uint32_t* inner) {
-  return HWY_DYNAMIC_DISPATCH(list_inner)(touched, begin, end, inner);
+void mark_inner(const std::uint32_t* touched, std::size_t size, std::uint64_t* inner) {
+  HWY_DYNAMIC_DISPATCH(mark_inner)(touched, size, inner);
 }
 
 }  // namespace safety_control_cloud::lines
