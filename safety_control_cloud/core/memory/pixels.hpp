@@ -76,6 +76,7 @@ class Pixels {
   Point point_of(float x, float y, float z) const {
     return is_any(x, y, z) ? Point(x, y, z) : Point(0.0f, 0.0f, std::numeric_limits<float>::quiet_NaN());
   }
+  const std::uint8_t* first_plain_of(std::size_t row) const;
   template <class OneReader>
   static Point read(const Pixels& picture, std::size_t row, std::size_t column);
   template <class OneReader>

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <random>
 #include <string>
@@ -63,6 +64,22 @@ class Lines : public testing::TestWithParam<std::string> {
 };
 
 bool same(float one, float other) { return one == other || (std::isnan(one) && std::isnan(other)); }
+
+TEST_P(Lines, ReadPointsThatLieApartUpToTheEndOfTheirBytes) {
+  for (int i = 0; i < times; ++i) {
+    const Row from = row();
+    const std::size_t size = from.z.size(), apart = 3 * sizeof(float) + random_() % 90;
+    std::vector<std::uint8_t> bytes(size == 0 ? 0 : (size - 1) * apart + 3 * sizeof(float));
+    for (std::size_t j = 0; j < size; ++j) {
+      const float xyz[] = {from.x[j], from.y[j], from.z[j]};
+      std::memcpy(bytes.data() + j * apart, xyz, sizeof xyz);
+    }
+    Row to(size);
+    read({bytes.data(), apart, size}, to.x.data(), to.y.data(), to.z.data());
+    for (std::size_t j = 0; j < size; ++j)
+      ASSERT_TRUE(same(to.x[j], from.x[j]) && same(to.y[j], from.y[j]) && same(to.z[j], from.z[j]));
+  }
+}
 
 TEST_P(Lines, PlacesWhatReturnsAsThePlacementDoes) {
   const Placement turned{{{{0.96f, -0.28f, 0.0f, 0.05f}, {0.28f, 0.96f, 0.0f, -0.1f}, {0.0f, 0.0f, 1.0f, 0.2f}}}};

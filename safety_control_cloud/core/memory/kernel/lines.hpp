@@ -19,6 +19,15 @@ struct PixelsOfRow {
   std::size_t size;
 };
 
+/// Points of a cloud, as many [byte] apart, whose x, y and z follow one another as floats of this machine.
+struct StoredPoints {
+  const std::uint8_t* first;
+  std::size_t apart, size;
+};
+
+/// Into x, y and z [0 ... size - 1]. Behind the last of them nothing is read.
+void read(const StoredPoints& points, float* x, float* y, float* z);
+
 /// Takes pixels of the cloud's frame to the corridor's axes; z is NaN where nothing returns, or nothing farther than
 /// `range_min` [m].
 void place(const PixelsOfRow& pixels, float range_min, const std::optional<Placement>& placement, float* x, float* y,

@@ -36,6 +36,54 @@ float least_of(const float* values, std::size_t size) {
   return least[0];
 }
 
+#if HWY_TARGET != HWY_SCALAR
+
+constexpr std::size_t block_size = 16;  // [byte] that every instruction set can shuffle
+
+/// Of every fourth point, from this one on, a block.
+template <class Tag>
+HWY_INLINE hn::Vec<Tag> blocks_from(Tag tag, const std::uint8_t* from, [[maybe_unused]] std::size_t apart) {
+  if constexpr (hn::MaxLanes(tag) == block_size / sizeof(float)) {
+    return hn::BitCast(tag, hn::LoadU(hn::Repartition<std::uint8_t, Tag>(), from));
+  } else {
+    const hn::Half<Tag> half;
+    return hn::Combine(tag, blocks_from(half, from + hn::MaxLanes(half) * apart, apart),
+                       blocks_from(half, from, apart));
+  }
+}
+
+/// How many it has read: in whole vectors, and not the last, whose block may end beyond the cloud.
+HWY_INLINE std::size_t read_blocks(const StoredPoints& points, float* x, float* y, float* z) {
+  const hn::ScalableTag<float> tag;
+  constexpr std::size_t lanes = hn::MaxLanes(tag);
+  std::size_t i = 0;
+  for (; i + lanes < points.size; i += lanes) {
+    const std::uint8_t* const from = points.first + i * points.apart;
+    const auto block = [&](std::size_t n) HWY_ATTR { return blocks_from(tag, from + n * points.apart, points.apart); };
+    const auto a = block(0), b = block(1), c = block(2), d = block(3);
+    const auto xy_of_ac = hn::InterleaveLower(tag, a, c), xy_of_bd = hn::InterleaveLower(tag, b, d);
+    hn::StoreU(hn::InterleaveLower(tag, xy_of_ac, xy_of_bd), tag, x + i);
+    hn::StoreU(hn::InterleaveUpper(tag, xy_of_ac, xy_of_bd), tag, y + i);
+    const auto z_of_ac = hn::InterleaveUpper(tag, a, c), z_of_bd = hn::InterleaveUpper(tag, b, d);
+    hn::StoreU(hn::InterleaveLower(tag, z_of_ac, z_of_bd), tag, z + i);
+  }
+  return i;
+}
+
+#else
+
+std::size_t read_blocks(const StoredPoints&, float*, float*, float*) { return 0; }
+
+#endif
+
+void read(const StoredPoints& points, float* x, float* y, float* z) {
+  for (std::size_t i = read_blocks(points, x, y, z); i < points.size; ++i) {
+    float xyz[3];
+    std::memcpy(xyz, points.first + i * points.apart, sizeof xyz);
+    x[i] = xyz[0], y[i] = xyz[1], z[i] = xyz[2];
+  }
+}
+
 void place(const PixelsOfRow& pixels, float range_min, const std::optional<Placement>& placement, float* x, float* y,
            float* z) {
   const float *const from_x = pixels.x, *const from_y = pixels.y, *const from_z = pixels.z;
@@ -231,6 +279,7 @@ HWY_AFTER_NAMESPACE();
 
 namespace safety_control_cloud::lines {
 
+HWY_EXPORT(read);
 HWY_EXPORT(place);
 HWY_EXPORT(least_square);
 HWY_EXPORT(find_near);
@@ -240,6 +289,8 @@ HWY_EXPORT(go_on_up);
 HWY_EXPORT(in_slots);
 HWY_EXPORT(note_lowest);
 HWY_EXPORT(mark_inner);
+
+void read(const StoredPoints& points, float* x, float* y, float* z) { HWY_DYNAMIC_DISPATCH(read)(points, x, y, z); }
 
 void place(const PixelsOfRow& pixels, float range_min, const std::optional<Placement>& placement, float* x, float* y,
            float* z) {
