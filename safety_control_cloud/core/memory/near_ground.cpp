@@ -11,6 +11,14 @@ constexpr std::size_t longest_gap = NearGround::most_rows / 6;
 /// Where no near ground is seen, every so-many-th column, and row, shows whether there is any: no post is thinner.
 constexpr std::size_t probe = 4;
 
+/// Each of the probes over the columns from it to the next. There is one more than fit whole, if it counts or not.
+void spread(const NearGround::Code* probes, std::size_t columns, NearGround::Code* to) {
+  const std::size_t whole = columns / probe;
+  for (std::size_t i = 0; i < whole; ++i)
+    for (std::size_t j = 0; j < probe; ++j) to[i * probe + j] = probes[i];
+  std::fill(to + whole * probe, to + columns, probes[whole]);
+}
+
 }  // namespace
 
 /// Whether it shows any near ground.
@@ -24,8 +32,7 @@ bool NearGround::read_row(const Pixels& picture, const Outlook& outlook, float d
   Code* const read = all ? row(number) : codes_read_.data();
   const int highest = lines::find_ground(read_.pixels(), {outlook.corridor, outlook.camera(), distance}, read,
                                          ahead_.data() + number * columns_);
-  if (!all)
-    for (std::size_t i = 0; i < columns_; ++i) row(number)[i] = read[i / probe];
+  if (!all) spread(read, columns_, row(number));
   shows_[number] = highest >= lines::LeastGround;
   return shows_[number];
 }

@@ -28,8 +28,8 @@ class Lines {
 
   NearPixels all() {
     const auto& nearest = search_.nearest_in_row;
-    const std::size_t near_rows = static_cast<std::size_t>(
-        std::count_if(nearest.begin(), nearest.end(), [this](float z) { return is_near(z - camera_.z); }));
+    const std::size_t near_rows = count_near(nearest);
+    if (near_rows == 0) return std::move(found_);
     found_.row_step = std::max<std::size_t>(1, near_rows / enough_rows);
     reserve(std::min(near_rows, 2 * enough_rows));
     std::size_t since = found_.row_step;
@@ -47,6 +47,14 @@ class Lines {
 
  private:
   bool is_near(float ahead) const { return (ahead > 0.0f) & (ahead < search_.distance); }
+
+  /// In numbers as wide as what they count, of which a vector holds as many.
+  std::size_t count_near(const std::vector<float>& rows) const {
+    const float from = camera_.z, farthest = search_.distance;
+    std::uint32_t count = 0;
+    for (const float z : rows) count += (z - from > 0.0f) & (z - from < farthest) ? 1u : 0u;
+    return count;
+  }
 
   void take(std::size_t row) {
     const std::size_t line = found_.ahead.size();
