@@ -60,7 +60,7 @@ void Connected::connect() {
   const std::size_t slots = found_.slots;
   std::array<Line, gap + 1> lines{Line(slots), Line(slots), Line(slots)};  // the latest first
   Line none(slots);
-  std::vector<std::uint32_t> untouched(slots);
+  std::vector<std::uint8_t> untouched(slots);
   none.touched = untouched.data();
   for (std::size_t i = 0; i < found_.rows.size(); ++i) {
     std::rotate(lines.begin(), lines.end() - 1, lines.end());

@@ -55,7 +55,7 @@ class Connected {
   const std::vector<Stretches>& things() const { return things_; }
 
   /// Of each slot, on which sides its pixel touches others of its thing; and behind the last, a word of none.
-  const std::vector<std::uint32_t>& touched() const { return touched_; }
+  const std::vector<std::uint8_t>& touched() const { return touched_; }
 
   float jump() const { return jump_; }
 
@@ -68,7 +68,7 @@ class Connected {
     std::size_t row = 0;
     std::vector<float> ahead;  ///< [m]
     std::vector<Index> run;    ///< of each pixel; of a slot without one, that of the pixel before it
-    std::uint32_t* touched = nullptr;
+    std::uint8_t* touched = nullptr;
 
     explicit Line(std::size_t slots);
     lines::LineOfSlots slots() const { return {ahead.data() + gap, run.data() + gap}; }
@@ -83,12 +83,11 @@ class Connected {
   const NearPixels& found_;
   const float jump_;
   Union runs_;  ///< what is connected along a line is one, so that these are joined and not every pixel
-  std::vector<Stretch> stretches_;      ///< of each run
-  std::vector<std::uint32_t> touched_;  ///< of each slot, on which sides, and as touched()
+  std::vector<Stretch> stretches_;     ///< of each run
+  std::vector<std::uint8_t> touched_;  ///< of each slot, on which sides, and as touched()
   std::vector<Stretches> things_;
   // Of each slot of a line.
-  std::vector<int> back_;
-  std::vector<std::uint8_t> begins_, up_;
+  std::vector<std::uint8_t> back_, begins_, up_;
 };
 
 }  // namespace safety_control_cloud

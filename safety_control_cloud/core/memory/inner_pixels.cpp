@@ -88,7 +88,7 @@ class Choice {
   }
 
   const NearPixels& found_;
-  const std::uint32_t* const touched_;
+  const std::uint8_t* const touched_;
   const float jump_;
   std::vector<std::uint64_t> inner_;  ///< of the slots of one stretch
   std::unique_ptr<Index[]> listed_;

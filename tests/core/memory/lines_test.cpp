@@ -173,8 +173,9 @@ TEST_P(Lines, SumUpSlots) {
 TEST_P(Lines, MarkWhatIsTouchedOnAllSides) {
   for (int i = 0; i < times; ++i) {
     const std::size_t size = random_() % 200;
-    std::vector<std::uint32_t> touched(size + in_word);
-    for (auto& sides : touched) sides = random_() % 3 ? std::uint32_t{AllSides} : random_() % 16;
+    std::vector<std::uint8_t> touched(size + in_word);
+    for (auto& sides : touched)
+      sides = random_() % 3 ? std::uint8_t{AllSides} : static_cast<std::uint8_t>(random_() % 16);
     std::vector<std::uint64_t> inner(words_for(size)), expected(words_for(size), 0);
     mark_inner(touched.data(), size, inner.data());
     for (std::size_t j = 0; j < size; ++j)

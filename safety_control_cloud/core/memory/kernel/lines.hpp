@@ -65,7 +65,7 @@ struct LineOfSlots {
 };
 
 /// On which sides a pixel touches another one of its thing.
-enum Side : std::uint32_t { Left = 1, Right = 2, Above = 4, Below = 8, AllSides = 15 };
+enum Side : std::uint8_t { Left = 1, Right = 2, Above = 4, Below = 8, AllSides = 15 };
 
 /// Where a run of pixels begins that go on from each other in a line.
 enum Begin : std::uint8_t {
@@ -76,8 +76,8 @@ enum Begin : std::uint8_t {
 /// Pixels go on from each other whose ranges differ by `jump` [m] at most: in a line each from the nearest to its left,
 /// one or two slots away. Into begins[0 ... slots - 1] and touched[0 ... slots - 1]; `back` is what it needs on its
 /// way, with two zeros behind the slots.
-void go_on_along(const LineOfSlots& line, std::size_t slots, float jump, int* back, std::uint8_t* begins,
-                 std::uint32_t* touched);
+void go_on_along(const LineOfSlots& line, std::size_t slots, float jump, std::uint8_t* back, std::uint8_t* begins,
+                 std::uint8_t* touched);
 
 /// From what a pixel goes on above it, in the line above or else in the next: from what is straight above, or else from
 /// what is beside that.
@@ -92,7 +92,7 @@ enum Up : std::uint8_t {
 
 /// Of each slot of some lines, on which sides it is.
 struct Touched {
-  std::uint32_t *line, *above, *next;
+  std::uint8_t *line, *above, *next;
 };
 
 /// Into up[0 ... slots - 1].
@@ -124,6 +124,6 @@ inline std::size_t words_for(std::size_t slots) { return (slots + in_word - 1) /
 
 /// Which slots are touched on all sides: of slot i, bit i % in_word of inner[i / in_word]. Reads whole words of slots,
 /// though of those from `size` on it says nothing.
-void mark_inner(const std::uint32_t* touched, std::size_t size, std::uint64_t* inner);
+void mark_inner(const std::uint8_t* touched, std::size_t size, std::uint64_t* inner);
 
 }  // namespace safety_control_cloud::lines

@@ -25,15 +25,19 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// added or compared.
 constexpr std::size_t at_once = 8;
 
+/// Of those that are numbers.
 float least_of(const float* values, std::size_t size) {
-  float least[at_once];
-  for (float& one : least) one = std::numeric_limits<float>::infinity();
+  const hn::ScalableTag<float> tag;
+  constexpr std::size_t lanes = hn::MaxLanes(tag);
+  auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
   std::size_t i = 0;
-  for (; i + at_once <= size; i += at_once)
-    for (std::size_t j = 0; j < at_once; ++j) least[j] = values[i + j] < least[j] ? values[i + j] : least[j];
-  for (; i < size; ++i) least[0] = values[i] < least[0] ? values[i] : least[0];
-  for (const float one : least) least[0] = one < least[0] ? one : least[0];
-  return least[0];
+  for (; i + lanes <= size; i += lanes) {
+    const auto some = hn::LoadU(tag, values + i);
+    least = hn::IfThenElse(hn::Lt(some, least), some, least);
+  }
+  float of_all = hn::GetLane(hn::MinOfLanes(tag, least));
+  for (; i < size; ++i) of_all = values[i] < of_all ? values[i] : of_all;
+  return of_all;
 }
 
 #if HWY_TARGET != HWY_SCALAR
@@ -157,24 +161,30 @@ int find_ground(const PixelsOfRow& pixels, const Surrounding& around, std::int16
 
 HWY_INLINE bool goes_on(float one, float other, float jump) { return std::fabs(one - other) <= jump; }
 
-void go_on_along(const LineOfSlots& line, std::size_t slots, float jump, int* back, std::uint8_t* begins,
-                 std::uint32_t* touched) {
-  const float* const ahead = line.ahead;
-  for (std::size_t i = 0; i < slots; ++i) {
-    const float* const here = ahead + i;
-    const bool one = goes_on(here[0], here[-1], jump), two = goes_on(here[0], here[-2], jump);
-    back[i] = (one ? 1 : 0) | (!one & two ? 2 : 0);
+/// As many slots at a time as a compiler needs to see that what it writes on the way is nothing that it reads.
+constexpr std::size_t part = 64;
+
+/// What is told of floats is put into bytes, of which a vector holds more.
+void go_on_along(const LineOfSlots& line, std::size_t slots, float jump, std::uint8_t* back, std::uint8_t* begins,
+                 std::uint8_t* touched) {
+  constexpr int from_one = 1, from_two = 2, from_any = from_one | from_two, begun = 2;  // bits of back
+  int told[part];
+  for (std::size_t begin = 0; begin < slots; begin += part) {
+    const std::size_t size = slots - begin < part ? slots - begin : part;
+    for (std::size_t i = 0; i < size; ++i) {
+      const float* const here = line.ahead + begin + i;
+      const bool one = goes_on(here[0], here[-1], jump), two = !one & goes_on(here[0], here[-2], jump);
+      const bool is_first = (here[0] == here[0]) & !one & !two, is_parted = two & (here[-1] == here[-1]);
+      const int begin_here = (is_first ? int{Begins} : 0) | (is_parted ? Begins | GoesOn : 0);
+      told[i] = (one ? from_one : 0) | (two ? from_two : 0) | begin_here << begun;
+    }
+    for (std::size_t i = 0; i < size; ++i) back[begin + i] = static_cast<std::uint8_t>(told[i]);
   }
   for (std::size_t i = 0; i < slots; ++i) {
-    const bool right = (back[i + 1] == 1) | (back[i + 2] == 2);
-    touched[i] = (back[i] != 0 ? Left : 0u) | (right ? Right : 0u);
+    const bool right = ((back[i + 1] & from_any) == from_one) | ((back[i + 2] & from_any) == from_two);
+    touched[i] = static_cast<std::uint8_t>(((back[i] & from_any) != 0 ? Left : 0) | (right ? Right : 0));
   }
-  for (std::size_t i = 0; i < slots; ++i) {
-    const float* const here = ahead + i;
-    const bool is_pixel = here[0] == here[0], parted = here[-1] == here[-1];
-    const int begun = (is_pixel & (back[i] == 0) ? int{Begins} : 0) | ((back[i] == 2) & parted ? Begins | GoesOn : 0);
-    begins[i] = static_cast<std::uint8_t>(begun);
-  }
+  for (std::size_t i = 0; i < slots; ++i) begins[i] = static_cast<std::uint8_t>(back[i] >> begun);
 }
 
 HWY_INLINE int up_from(float here, const float* there, const std::uint32_t* run, float jump, int by_run, int straight) {
@@ -185,14 +195,18 @@ HWY_INLINE int up_from(float here, const float* there, const std::uint32_t* run,
          ((left & !left_same) | (right & !right_same) ? int{OtherRun} : 0);
 }
 
-HWY_INLINE bool is_other(const std::uint32_t* run) { return run[0] != run[-1]; }
+/// Where a slot goes on from one of these, its pixel touches on a side, or the one from which it goes on does.
+HWY_INLINE void touch(const std::uint8_t* from, std::size_t size, int straight, int side, std::uint8_t* touched) {
+  for (std::size_t i = 0; i < size; ++i)
+    touched[i] = static_cast<std::uint8_t>(touched[i] | ((from[i] & straight) != 0 ? side : 0));
+}
 
-/// As many slots at a time as a compiler needs to see that what it writes on the way is nothing that it reads.
-constexpr std::size_t part = 64;
+HWY_INLINE bool is_other(const std::uint32_t* run) { return run[0] != run[-1]; }
 
 void go_on_up(const LineOfSlots& line, const LineOfSlots& above, const LineOfSlots& next, std::size_t slots, float jump,
               std::uint8_t* up, const Touched& touched) {
-  int from[part], other[part];
+  int told[part];
+  std::uint8_t from[part];
   for (std::size_t begin = 0; begin < slots; begin += part) {
     const std::size_t size = slots - begin < part ? slots - begin : part;
     const float* const here = line.ahead + begin;
@@ -202,16 +216,14 @@ void go_on_up(const LineOfSlots& line, const LineOfSlots& above, const LineOfSlo
     for (std::size_t i = 0; i < size; ++i) {
       const int by_above = up_from(here[i], over + i, run_above + i, jump, RunAbove, StraightAbove);
       const int by_next = up_from(here[i], over_that + i, run_next + i, jump, RunNext, StraightNext);
-      from[i] = by_above != 0 ? by_above : by_next;
+      const bool other = is_other(run + i) | is_other(run_above + i) | is_other(run_next + i);
+      told[i] = (by_above != 0 ? by_above : by_next) | (other ? int{IsOther} : 0);
     }
-    for (std::size_t i = 0; i < size; ++i)
-      other[i] = is_other(run + i) | is_other(run_above + i) | is_other(run_next + i) ? int{IsOther} : 0;
-    std::uint32_t *const of_line = touched.line + begin, *const of_above = touched.above + begin;
-    std::uint32_t* const of_next = touched.next + begin;
-    for (std::size_t i = 0; i < size; ++i) of_line[i] |= (from[i] & (StraightAbove | StraightNext)) != 0 ? Above : 0u;
-    for (std::size_t i = 0; i < size; ++i) of_above[i] |= (from[i] & StraightAbove) != 0 ? Below : 0u;
-    for (std::size_t i = 0; i < size; ++i) of_next[i] |= (from[i] & StraightNext) != 0 ? Below : 0u;
-    for (std::size_t i = 0; i < size; ++i) up[begin + i] = static_cast<std::uint8_t>(from[i] | other[i]);
+    for (std::size_t i = 0; i < size; ++i) from[i] = static_cast<std::uint8_t>(told[i]);
+    touch(from, size, StraightAbove | StraightNext, Above, touched.line + begin);
+    touch(from, size, StraightAbove, Below, touched.above + begin);
+    touch(from, size, StraightNext, Below, touched.next + begin);
+    std::memcpy(up + begin, from, size);
   }
 }
 
@@ -259,7 +271,7 @@ HWY_INLINE std::uint64_t bits_of(const std::uint8_t* bytes) {
 
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the first byte is the least of its word");
 
-void mark_inner(const std::uint32_t* touched, std::size_t size, std::uint64_t* inner) {
+void mark_inner(const std::uint8_t* touched, std::size_t size, std::uint64_t* inner) {
   for (std::size_t begin = 0; begin < size; begin += in_word) {
     std::uint8_t is_inner[in_word];
     for (std::size_t i = 0; i < in_word; ++i) is_inner[i] = touched[begin + i] == AllSides ? 1 : 0;
@@ -309,8 +321,8 @@ int find_ground(const PixelsOfRow& pixels, const Surrounding& around, std::int16
   return HWY_DYNAMIC_DISPATCH(find_ground)(pixels, around, ground, ahead);
 }
 
-void go_on_along(const LineOfSlots& line, std::size_t slots, float jump, int* back, std::uint8_t* begins,
-                 std::uint32_t* touched) {
+void go_on_along(const LineOfSlots& line, std::size_t slots, float jump, std::uint8_t* back, std::uint8_t* begins,
+                 std::uint8_t* touched) {
   HWY_DYNAMIC_DISPATCH(go_on_along)(line, slots, jump, back, begins, touched);
 }
 
@@ -327,7 +339,7 @@ void note_lowest(const SomeSlots& some, std::uint32_t first, std::uint32_t* lowe
   HWY_DYNAMIC_DISPATCH(note_lowest)(some, first, lowest);
 }
 
-void mark_inner(const std::uint32_t* touched, std::size_t size, std::uint64_t* inner) {
+void mark_inner(const std::uint8_t* touched, std::size_t size, std::uint64_t* inner) {
   HWY_DYNAMIC_DISPATCH(mark_inner)(touched, size, inner);
 }
 
