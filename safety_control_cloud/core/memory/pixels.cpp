@@ -9,6 +9,12 @@ namespace {
 
 const Point nothing = {0.0f, 0.0f, std::numeric_limits<float>::quiet_NaN()};
 
+/// y and z follow x as floats of this machine.
+bool is_plain(const CloudView& cloud) {
+  const auto [x, y, z] = cloud.offset;
+  return cloud.scalar == Scalar::Float32 && !cloud.swapped && y == x + sizeof(float) && z == y + sizeof(float);
+}
+
 constexpr double farthest = 1e6;  // [px] beside the picture: from there all ways in it are parallel
 
 /// To 1/64 of a pixel. A depth image tells it at once and a cloud by its returns, but for rounding; of ways that begin
@@ -25,6 +31,14 @@ Point Pixels::read(const Pixels& picture, std::size_t row, std::size_t column) {
   const auto take = [&](float x, float y, float z) { point = picture.point_of(x, y, z); };
   (*std::get_if<OneReader>(&picture.reader_))(row, column, take);
   return point;
+}
+
+/// Of pixels none of which lies beside the picture, and behind which others lie.
+std::array<float, 9> Pixels::read_plain_around(const Pixels& picture, std::size_t row, std::size_t column) {
+  const bool all_are = row > 0 && row + 2 < picture.height_ && column > 0 && column + 1 < picture.width_;
+  if (!all_are) return read_around<CloudReader<float, false>>(picture, row, column);
+  const std::uint8_t* const first = picture.plain_ + (row - 1) * picture.row_step_ + (column - 1) * picture.pixel_step_;
+  return lines::around({first, picture.pixel_step_, picture.row_step_}, picture.range_min_);
 }
 
 template <class OneReader>
@@ -58,6 +72,10 @@ Pixels::Pixels(const View& view, float range_min, const RayHits* hits, const Usu
     read_ = &read<OneReader>;
     around_ = &read_around<OneReader>;
   });
+  const auto* const cloud = std::get_if<CloudView>(&view);
+  if (!cloud || !is_plain(*cloud)) return;
+  plain_ = cloud->bytes + cloud->offset[0];
+  around_ = &read_plain_around;
 }
 
 void Pixels::fetch_row(std::size_t row, std::size_t step) const {
@@ -75,14 +93,6 @@ void Pixels::look_along(const RayLines& rays) {
   if (rays.across) framing_.middle_column = middle_of(*rays.across);
 }
 
-/// The first x of a row, if y and z follow it as floats of this machine.
-const std::uint8_t* Pixels::first_plain_of(std::size_t row) const {
-  const auto* const reader = std::get_if<CloudReader<float, false>>(&reader_);
-  if (!reader) return nullptr;
-  const auto [x, y, z] = reader->cloud.offset;
-  return y == x + sizeof(float) && z == y + sizeof(float) ? bytes_ + row * row_step_ + x : nullptr;
-}
-
 void Pixels::read(std::size_t row, std::size_t step, const Outlook& outlook, PixelRow& into) const {
   const std::size_t size = (width_ + step - 1) / step;
   for (auto* coordinate : {&into.x, &into.y, &into.z}) coordinate->resize(size);
@@ -93,8 +103,8 @@ void Pixels::read(std::size_t row, std::size_t step, const Outlook& outlook, Pix
       reader(row, i * step, take);
     }
   };
-  if (const auto* const first = first_plain_of(row)) {
-    lines::read({first, step * pixel_step_, size}, xs, ys, zs);
+  if (plain_) {
+    lines::read({plain_ + row * row_step_, step * pixel_step_, size}, xs, ys, zs);
   } else {
     std::visit(take_each, reader_);
   }

@@ -76,16 +76,17 @@ class Pixels {
   Point point_of(float x, float y, float z) const {
     return is_any(x, y, z) ? Point(x, y, z) : Point(0.0f, 0.0f, std::numeric_limits<float>::quiet_NaN());
   }
-  const std::uint8_t* first_plain_of(std::size_t row) const;
   template <class OneReader>
   static Point read(const Pixels& picture, std::size_t row, std::size_t column);
   template <class OneReader>
   static std::array<float, 9> read_around(const Pixels& picture, std::size_t row, std::size_t column);
+  static std::array<float, 9> read_plain_around(const Pixels& picture, std::size_t row, std::size_t column);
 
   Reader reader_ = CloudReader<float, false>{};
   Point (*read_)(const Pixels&, std::size_t, std::size_t) = nullptr;
   std::array<float, 9> (*around_)(const Pixels&, std::size_t, std::size_t) = nullptr;
   const std::uint8_t* bytes_ = nullptr;
+  const std::uint8_t* plain_ = nullptr;        ///< the first x, if the others lie behind it as lines::read() wants them
   std::size_t row_step_ = 0, pixel_step_ = 0;  ///< [byte]
   std::size_t width_, height_;
   float range_min_;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -78,6 +79,26 @@ TEST_P(Lines, ReadPointsThatLieApartUpToTheEndOfTheirBytes) {
     read({bytes.data(), apart, size}, to.x.data(), to.y.data(), to.z.data());
     for (std::size_t j = 0; j < size; ++j)
       ASSERT_TRUE(same(to.x[j], from.x[j]) && same(to.y[j], from.y[j]) && same(to.z[j], from.z[j]));
+  }
+}
+
+TEST_P(Lines, LookAroundAPixelAsAtEachOfTheNine) {
+  for (int i = 0; i < times; ++i) {
+    const std::size_t apart = 3 * sizeof(float) + random_() % 30, rows_apart = 4 * apart;
+    std::vector<std::uint8_t> bytes(2 * rows_apart + 3 * apart + sizeof(float));
+    std::array<float, 9> expected;
+    for (std::size_t j = 0; j < expected.size(); ++j) {
+      float xyz[3];
+      for (float& value : xyz) {
+        value = between(-0.4f, 1.4f);
+        if (between(0.0f, 1.0f) < 0.1f) value = between(0.0f, 1.0f) < 0.5f ? infinity : nothing;
+      }
+      std::memcpy(bytes.data() + j / 3 * rows_apart + j % 3 * apart, xyz, sizeof xyz);
+      const bool returns = std::isfinite(xyz[0]) && std::isfinite(xyz[1]) && std::isfinite(xyz[2]) && xyz[2] > 0.1f;
+      expected[j] = returns ? xyz[2] : nothing;
+    }
+    const auto z = around({bytes.data(), apart, rows_apart}, 0.1f);
+    for (std::size_t j = 0; j < expected.size(); ++j) ASSERT_TRUE(same(z[j], expected[j]));
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -27,6 +28,16 @@ struct StoredPoints {
 
 /// Into x, y and z [0 ... size - 1]. Behind the last of them nothing is read.
 void read(const StoredPoints& points, float* x, float* y, float* z);
+
+/// 3 x 3 pixels of a cloud that are stored so, by the upper left one and how far the rows are apart [byte].
+struct StoredAround {
+  const std::uint8_t* first;
+  std::size_t apart, rows_apart;
+};
+
+/// z of each, row by row [m]; NaN where nothing returns, or nothing farther than `range_min` [m]. It may read a float
+/// behind the last.
+std::array<float, 9> around(const StoredAround& pixels, float range_min);
 
 /// Takes pixels of the cloud's frame to the corridor's axes; z is NaN where nothing returns, or nothing farther than
 /// `range_min` [m].

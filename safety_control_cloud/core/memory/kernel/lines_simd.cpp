@@ -74,9 +74,43 @@ HWY_INLINE std::size_t read_blocks(const StoredPoints& points, float* x, float* 
   return i;
 }
 
+/// A row at a time, of which the last lane is the third pixel once more.
+std::array<float, 9> around(const StoredAround& pixels, float range_min) {
+  constexpr std::size_t side = 3, lanes = block_size / sizeof(float);
+  const hn::FixedTag<float, lanes> tag;
+  const auto zero = hn::Zero(tag), least = hn::Set(tag, range_min);
+  const auto nothing = hn::Set(tag, std::numeric_limits<float>::quiet_NaN());
+  float all[side * side + lanes - side];
+  for (std::size_t row = 0; row < side; ++row) {
+    const std::uint8_t* const from = pixels.first + row * pixels.rows_apart;
+    const auto a = blocks_from(tag, from, 0), b = blocks_from(tag, from + pixels.apart, 0);
+    const auto c = blocks_from(tag, from + 2 * pixels.apart, 0);
+    const auto xy_of_ac = hn::InterleaveLower(tag, a, c), xy_of_bc = hn::InterleaveLower(tag, b, c);
+    const auto x = hn::InterleaveLower(tag, xy_of_ac, xy_of_bc), y = hn::InterleaveUpper(tag, xy_of_ac, xy_of_bc);
+    const auto z = hn::InterleaveLower(tag, hn::InterleaveUpper(tag, a, c), hn::InterleaveUpper(tag, b, c));
+    const auto sum =
+        hn::Add(hn::Add(hn::Mul(zero, x), hn::Mul(zero, y)), hn::Mul(zero, z));  // of what is not finite, NaN
+    hn::StoreU(hn::IfThenElse(hn::And(hn::Eq(sum, zero), hn::Gt(z, least)), z, nothing), tag, all + row * side);
+  }
+  std::array<float, 9> z;
+  std::memcpy(z.data(), all, sizeof z);
+  return z;
+}
+
 #else
 
 std::size_t read_blocks(const StoredPoints&, float*, float*, float*) { return 0; }
+
+std::array<float, 9> around(const StoredAround& pixels, float range_min) {
+  std::array<float, 9> z;
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    float xyz[3];
+    std::memcpy(xyz, pixels.first + i / 3 * pixels.rows_apart + i % 3 * pixels.apart, sizeof xyz);
+    const float sum = 0.0f * xyz[0] + 0.0f * xyz[1] + 0.0f * xyz[2];
+    z[i] = (sum == 0.0f) & (xyz[2] > range_min) ? xyz[2] : std::numeric_limits<float>::quiet_NaN();
+  }
+  return z;
+}
 
 #endif
 
@@ -292,6 +326,7 @@ HWY_AFTER_NAMESPACE();
 namespace safety_control_cloud::lines {
 
 HWY_EXPORT(read);
+HWY_EXPORT(around);
 HWY_EXPORT(place);
 HWY_EXPORT(least_square);
 HWY_EXPORT(find_near);
@@ -303,6 +338,10 @@ HWY_EXPORT(note_lowest);
 HWY_EXPORT(mark_inner);
 
 void read(const StoredPoints& points, float* x, float* y, float* z) { HWY_DYNAMIC_DISPATCH(read)(points, x, y, z); }
+
+std::array<float, 9> around(const StoredAround& pixels, float range_min) {
+  return HWY_DYNAMIC_DISPATCH(around)(pixels, range_min);
+}
 
 void place(const PixelsOfRow& pixels, float range_min, const std::optional<Placement>& placement, float* x, float* y,
            float* z) {

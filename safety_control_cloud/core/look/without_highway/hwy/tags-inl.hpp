@@ -27,6 +27,8 @@ struct Simd {
   static constexpr std::size_t lanes = N;
 };
 
+template <class T, std::size_t N>
+using FixedTag = Simd<T, N>;
 template <class T>
 using ScalableTag = Simd<T, register_size / sizeof(T)>;
 template <class Tag>
