@@ -68,10 +68,7 @@ class Choice {
     };
     for (Index i = begin; i < end; ++i) {
       if (!found_.has_pixel(i)) continue;
-      const Index left = std::max(i, first + 1) - 1, right = std::min(i + 1, last);
-      const float ahead = found_.ahead[i];
-      if (any_inner(left - up, right - up, ahead) || any_inner(left, right, ahead) ||
-          any_inner(left + down, right + down, ahead)) {
+      if (is_beside_inner(i, i > first ? 1 : 0, i < last ? 1 : 0, up, down)) {
         end_run();
       } else {
         listed_[size_++] = i;
@@ -81,10 +78,15 @@ class Choice {
     end_run();
   }
 
-  bool any_inner(Index first, Index last, float ahead) const {
-    for (Index i = first; i <= last; ++i)
-      if (touched_[i] == lines::AllSides && std::abs(found_.ahead[i] - ahead) <= jump_) return true;
-    return false;
+  /// To the left, to the right, up and down it is so far to the next slot; 0 where there is none. Straight up and down
+  /// are asked first: beside the uppermost and the lowest pixels of a thing, which are the most, inner ones lie there.
+  bool is_beside_inner(Index i, Index left, Index right, Index up, Index down) const {
+    const float ahead = found_.ahead[i];
+    const auto is_one = [&](Index other) {
+      return touched_[other] == lines::AllSides && std::abs(found_.ahead[other] - ahead) <= jump_;
+    };
+    return is_one(i - up) || is_one(i + down) || is_one(i - left) || is_one(i + right) || is_one(i - up - left) ||
+           is_one(i - up + right) || is_one(i + down - left) || is_one(i + down + right);
   }
 
   const NearPixels& found_;
