@@ -80,11 +80,13 @@ void Backdrop::note(const Pixels& picture, const Axis& axis, const std::vector<P
   next_row_ = (next_row_ + 1) % rows_apart;
   const std::size_t rows = cells_.size() / columns_;
   for (std::size_t row = next_row_; row < rows; row += rows_apart) {
-    Cell* cell = &cells_[row * columns_];
+    Cell* const cell = &cells_[row * columns_];
     if (row + rows_apart < rows) picture.fetch_row(middle(row + rows_apart), step_);
-    for (std::size_t i = 0; i < columns_; ++i, ++cell) {
-      const auto holds_it = [&](const Part& part) { return part.holds(middle(row), middle(i)); };
-      note_at(*cell, picture.at(middle(row), middle(i)), std::any_of(lost.begin(), lost.end(), holds_it));
+    const std::size_t at_row = middle(row);
+    for (std::size_t at = middle(0), i = 0; i < columns_; ++i, at += step_) {
+      const auto holds_it = [=](const Part& part) { return part.holds(at_row, at); };
+      const bool rests = !lost.empty() && std::any_of(lost.begin(), lost.end(), holds_it);
+      note_at(cell[i], picture.at(at_row, at), rests);
     }
   }
 }

@@ -78,6 +78,7 @@ class Pixels {
   }
   template <class OneReader>
   static Point read(const Pixels& picture, std::size_t row, std::size_t column);
+  static Point read_plain(const Pixels& picture, std::size_t row, std::size_t column);
   template <class OneReader>
   static std::array<float, 9> read_around(const Pixels& picture, std::size_t row, std::size_t column);
   static std::array<float, 9> read_plain_around(const Pixels& picture, std::size_t row, std::size_t column);
