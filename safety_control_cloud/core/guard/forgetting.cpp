@@ -41,7 +41,7 @@ bool Forgetting::has_gone(RememberedPlace& place) {
   const double by_way = way_since_.beside(place.look, range), since = by_way + place.drifted;
   const double off = place.off + by_way + by_look_.at(range) + unknown_drift(place);
   const Asked asked{here, from_camera(here, place.z), range, off};
-  const AtPlace seen = seen_of(place, asked);
+  const AtPlace seen = is_asked_of(place) ? seen_of(place, asked) : AtPlace::NotThere;
   const bool is_known = place.off + since <= well_known;
   if (is_known && seen == AtPlace::ShownFar) {
     renew(place, looks_.latest(), since);
@@ -50,7 +50,15 @@ bool Forgetting::has_gone(RememberedPlace& place) {
   if (is_known && seen == AtPlace::NotThere && grows_old(place) && seen_at_.goes_on_in_picture(asked.there))
     keep_with_what_is_shown(place, since);
   const bool is_measured = asked.there.getVector3fMap().norm() >= static_cast<float>(look_.measures_from + off);
+  if (sensor_of(place.look) == sensor_of(looks_.latest())) place.is_too_near = seen == AtPlace::Nothing && !is_measured;
   return is_proven(place, seen, is_measured);
+}
+
+std::size_t Forgetting::sensor_of(std::uint64_t look) const { return looks_.find(look)->sensor; }
+
+/// A scan is, of what it showed: what a camera saw a few millimetres beside its plane it looks past.
+bool Forgetting::is_asked_of(const RememberedPlace& place) const {
+  return !std::holds_alternative<ScanView>(look_.reading) || sensor_of(place.look) == sensor_of(looks_.latest());
 }
 
 Point Forgetting::from_camera(const Point2& here, float height) const {
@@ -93,7 +101,7 @@ AtPlace Forgetting::seen_of(const RememberedPlace& place, const Asked& asked) {
 /// And the latest look is of the sensor that showed it.
 bool Forgetting::grows_old(const RememberedPlace& place) const {
   const LooksTaken::Taken& look = *looks_.find(place.look);
-  return now_ - look.at > grown_old * time_ && look.sensor == looks_.find(looks_.latest())->sensor;
+  return now_ - look.at > grown_old * time_ && look.sensor == sensor_of(looks_.latest());
 }
 
 /// The front of a pallet, as long as its back is shown. As of the look before, since the latest does not show it.
@@ -103,17 +111,19 @@ void Forgetting::keep_with_what_is_shown(RememberedPlace& place, double off) con
 }
 
 /// What is shown has its place anew, from this look. What a sensor could measure and does not is kept for a while: some
-/// things return from one side only.
+/// things return from one side only. Another one that does not look there speaks neither for that nor against it.
 bool Forgetting::is_proven(RememberedPlace& place, AtPlace seen, bool is_measured) const {
   const bool tells_nothing = seen == AtPlace::NotThere || (seen == AtPlace::Nothing && !is_measured);
+  const std::size_t sensor = sensor_of(looks_.latest());
   if (tells_nothing || seen == AtPlace::ShownFar) {
-    place.absent_since.reset();
+    if (seen == AtPlace::ShownFar || (place.absent && place.absent->sensor == sensor)) place.absent.reset();
     return false;
   }
   if (seen == AtPlace::Shown) return true;
   if (seen == AtPlace::Behind) ++place.away;
-  if (!place.absent_since) place.absent_since = now_;
-  return place.away >= believed || now_ - *place.absent_since >= absent_for;
+  if (!place.absent) place.absent = RememberedPlace::Absent{now_, sensor};
+  const bool is_long = place.absent->sensor == sensor && now_ - place.absent->since >= absent_for;
+  return place.away >= believed || is_long;
 }
 
 }  // namespace safety_control_cloud

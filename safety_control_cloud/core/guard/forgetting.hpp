@@ -28,6 +28,8 @@ class Forgetting {
     double range, off;  ///< [m] from the robot, and in depth, by how much it may lie elsewhere
   };
 
+  std::size_t sensor_of(std::uint64_t look) const;
+  bool is_asked_of(const RememberedPlace& place) const;
   Point from_camera(const Point2& here, float height) const;
   AtPlace seen_of(const RememberedPlace& place, const Asked& asked);
   double unknown_drift(const RememberedPlace& place) const;

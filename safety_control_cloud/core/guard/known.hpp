@@ -37,7 +37,7 @@ struct Known {
   std::optional<ZoneCap> cap;  ///< on what leads to where it looks
   bool is_touched = false;     ///< by what was lost: then slowly, though another sensor looks there
   bool is_reckoned = false;    ///< nobody knows well where it is: see Guard::by_ring
-  bool is_missed = false;      ///< it is of that, but below the picture or above: it counts for who is shown
+  bool is_missed = false;  ///< it is of that, but below the picture, above it or too near: it counts for who is shown
   std::optional<Eye> seen_by;  ///< that, if it looks still
 };
 

@@ -218,7 +218,8 @@ void OutOfSight::for_each_unseen(const Whereabouts& robot, double reach, double 
 std::vector<Ring> OutOfSight::rings(const Whereabouts& robot, double reach, double now,
                                     const std::vector<bool>& shows) const {
   std::vector<Ring> rings(displaced.size(), Ring{reach, {}});
-  for_each_unseen(robot, reach, now, shows, [&](const Place&, const Here& here) { add_to(rings, here.place, here.off); });
+  for_each_unseen(robot, reach, now, shows,
+                  [&](const Place&, const Here& here) { add_to(rings, here.place, here.off); });
   return rings;
 }
 
@@ -229,7 +230,8 @@ std::vector<OutOfSight::Rings> OutOfSight::rings_of_each(const Whereabouts& robo
   for_each_unseen(robot, reach, now, shows, [&](const Place& place, const Here& here) {
     Rings& rings = of_each[here.look.sensor];
     add_to(rings.all, here.place, here.off);
-    if (asks(here.look.sensor, here.place, place.stands, here.off)) add_to(rings.asked_for, here.place, here.off);
+    if ((place.is_too_near && here.off <= well_known) || asks(here.look.sensor, here.place, place.stands, here.off))
+      add_to(rings.asked_for, here.place, here.off);
   });
   return of_each;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -22,7 +23,14 @@ struct RememberedPlace {
   double off = 0.0;      ///< [m] by which it may have been displaced as it was seen, or before this frame rested
   double drifted = 0.0;  ///< [m] and by which the way since may be off, as seen from the robot
   std::uint8_t looks = 1, away = 0;
-  std::optional<double> absent_since = std::nullopt;  ///< [s] steady
+  bool is_too_near =
+      false;  ///< nothing returns there in the latest look, nor would it: it is nearer than that measures
+  /// Nothing returns there any more where a sensor could measure it.
+  struct Absent {
+    double since;        ///< [s] steady
+    std::size_t sensor;  ///< that tells
+  };
+  std::optional<Absent> absent = std::nullopt;
 };
 
 }  // namespace safety_control_cloud

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "robot_with_odometry.hpp"
+#include "robot_with_sensors.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -107,6 +108,25 @@ TEST(Forgetting, WhereNothingReturnsAnyMoreItIsForgottenAfterAWhile) {
     RobotWithOdometry robot;
     robot.passes(0.5, with_post);
     robot.passes(seconds, robot.hall);
+    robot.turns(quarter, robot.hall);
+    EXPECT_EQ(robot.asked({0.0, -0.7, 0.0}).factor < 1.0, seconds < 1.0) << robot.wants(right).reason;
+  }
+}
+
+TEST(Forgetting, ASensorThatLooksElsewhereKeepsNothing) {
+  for (const double seconds : {0.5, 2.0}) {
+    Settings settings = remembering();
+    settings.sensors = {{"front", InputKind::Cloud, "front/points", true, {}},
+                        {"rear", InputKind::Cloud, "rear/points", false, {}}};
+    RobotWithOdometry robot(settings);
+    const auto passes = [&](double time, const Scene& scene) {
+      for (double t = 0.0; t < time; t += 0.05) {
+        robot.passes(0.05, scene);
+        robot.see(robot.hall.view(), turned_xtion(pi), rear);
+      }
+    };
+    passes(0.5, with_post);
+    passes(seconds, robot.hall);
     robot.turns(quarter, robot.hall);
     EXPECT_EQ(robot.asked({0.0, -0.7, 0.0}).factor < 1.0, seconds < 1.0) << robot.wants(right).reason;
   }

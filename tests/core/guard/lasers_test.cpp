@@ -49,6 +49,30 @@ TEST(Lasers, ALaserSeesWhatHasGoneFromWhereverItsBearingsBegin) {
   }
 }
 
+/// A rail, 8 mm thick, of which the camera says more than the laser that looks past it.
+TEST(Lasers, WhatACameraShowsBesideThePlaneOfALaserHasNotGone) {
+  Scene with_rail({{0.6f, -0.3f, 0.3f, 0.089f, 0.097f}}), without;
+  for (Scene* scene : {&with_rail, &without}) scene->blank_farther_than(1.0f);  // nothing is seen behind it
+  for (const bool is_there : {true, false}) {
+    RobotWithSensors robot;
+    Pose2 pose;
+    const auto passes = [&](int looks, double turning) {
+      for (int i = 0; i < looks; ++i) {
+        pose.heading += 0.05 * turning;
+        robot.control.note_odometry(robot.now.ros + 0.05, pose, {0.0, 0.0, turning});
+        robot.drives_on({});
+      }
+    };
+    robot.ahead = is_there ? with_rail : without;
+    passes(20, 0.0);
+    robot.ahead = without;
+    passes(10, pi);
+    passes(10, 0.0);
+    const Guarded& answer = robot.wants({0.0, -0.6, 0.0});
+    EXPECT_EQ(answer.factor < 1.0, is_there) << answer.sensor << ", " << answer.reason;
+  }
+}
+
 TEST(Lasers, AWholeScanOfInfinitiesIsBlindUnlessTheyAreFree) {
   Settings free = with_sensors();
   free.sensors[laser].own["inf_is_free"] = 1.0;
