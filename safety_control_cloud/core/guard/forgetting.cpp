@@ -26,6 +26,7 @@ Forgetting::Forgetting(const Look& look, const SeenAt& seen_at, const LooksTaken
     : look_(look),
       seen_at_(seen_at),
       looks_(looks),
+      sensor_(looks.find(looks.latest())->sensor),
       robot_(robot),
       by_look_(by_look),
       now_(now),
@@ -50,15 +51,16 @@ bool Forgetting::has_gone(RememberedPlace& place) {
   if (is_known && seen == AtPlace::NotThere && grows_old(place) && seen_at_.goes_on_in_picture(asked.there))
     keep_with_what_is_shown(place, since);
   const bool is_measured = asked.there.getVector3fMap().norm() >= static_cast<float>(look_.measures_from + off);
-  if (sensor_of(place.look) == sensor_of(looks_.latest())) place.is_too_near = seen == AtPlace::Nothing && !is_measured;
+  if (showed_it(place)) place.is_too_near = seen == AtPlace::Nothing && !is_measured;
   return is_proven(place, seen, is_measured);
 }
 
-std::size_t Forgetting::sensor_of(std::uint64_t look) const { return looks_.find(look)->sensor; }
+/// The sensor that looks did, and no other since.
+bool Forgetting::showed_it(const RememberedPlace& place) const { return looks_.find(place.look)->sensor == sensor_; }
 
 /// A scan is, of what it showed: what a camera saw a few millimetres beside its plane it looks past.
 bool Forgetting::is_asked_of(const RememberedPlace& place) const {
-  return !std::holds_alternative<ScanView>(look_.reading) || sensor_of(place.look) == sensor_of(looks_.latest());
+  return !std::holds_alternative<ScanView>(look_.reading) || showed_it(place);
 }
 
 Point Forgetting::from_camera(const Point2& here, float height) const {
@@ -98,15 +100,13 @@ AtPlace Forgetting::seen_of(const RememberedPlace& place, const Asked& asked) {
   return seen;
 }
 
-/// And the latest look is of the sensor that showed it.
 bool Forgetting::grows_old(const RememberedPlace& place) const {
-  const LooksTaken::Taken& look = *looks_.find(place.look);
-  return now_ - look.at > grown_old * time_ && look.sensor == sensor_of(looks_.latest());
+  return now_ - looks_.find(place.look)->at > grown_old * time_ && showed_it(place);
 }
 
 /// The front of a pallet, as long as its back is shown. As of the look before, since the latest does not show it.
 void Forgetting::keep_with_what_is_shown(RememberedPlace& place, double off) const {
-  const auto before = looks_.placed_before_latest_of(looks_.find(place.look)->sensor);
+  const auto before = looks_.placed_before_latest_of(sensor_);
   if (before && *before > place.look) renew(place, *before, off);
 }
 
@@ -114,15 +114,14 @@ void Forgetting::keep_with_what_is_shown(RememberedPlace& place, double off) con
 /// things return from one side only. Another one that does not look there speaks neither for that nor against it.
 bool Forgetting::is_proven(RememberedPlace& place, AtPlace seen, bool is_measured) const {
   const bool tells_nothing = seen == AtPlace::NotThere || (seen == AtPlace::Nothing && !is_measured);
-  const std::size_t sensor = sensor_of(looks_.latest());
   if (tells_nothing || seen == AtPlace::ShownFar) {
-    if (seen == AtPlace::ShownFar || (place.absent && place.absent->sensor == sensor)) place.absent.reset();
+    if (seen == AtPlace::ShownFar || (place.absent && place.absent->sensor == sensor_)) place.absent.reset();
     return false;
   }
   if (seen == AtPlace::Shown) return true;
   if (seen == AtPlace::Behind) ++place.away;
-  if (!place.absent) place.absent = RememberedPlace::Absent{now_, sensor};
-  const bool is_long = place.absent->sensor == sensor && now_ - place.absent->since >= absent_for;
+  if (!place.absent) place.absent = RememberedPlace::Absent{now_, sensor_};
+  const bool is_long = place.absent->sensor == sensor_ && now_ - place.absent->since >= absent_for;
   return place.away >= believed || is_long;
 }
 

@@ -28,7 +28,7 @@ class Forgetting {
     double range, off;  ///< [m] from the robot, and in depth, by how much it may lie elsewhere
   };
 
-  std::size_t sensor_of(std::uint64_t look) const;
+  bool showed_it(const RememberedPlace& place) const;
   bool is_asked_of(const RememberedPlace& place) const;
   Point from_camera(const Point2& here, float height) const;
   AtPlace seen_of(const RememberedPlace& place, const Asked& asked);
@@ -40,6 +40,7 @@ class Forgetting {
   const Look& look_;
   const SeenAt& seen_at_;
   const LooksTaken& looks_;
+  std::size_t sensor_;  ///< whose look is the latest
   const Whereabouts& robot_;
   Drift by_look_;
   double now_, time_;

@@ -11,7 +11,7 @@ namespace safety_control_cloud {
 namespace {
 
 constexpr double most_beside = 0.1;    ///< [m] what lies beside a picture counts as nearer than reckoned by no more
-constexpr double well_reckoned = 0.2;  ///< [m] off by no more it most likely is where it was reckoned to be
+constexpr double well_reckoned = 0.2;  ///< [m] what may be off by no more most likely is where it was reckoned to be
 constexpr double sharp = 1.0;          ///< [rad/m]
 
 Allowed standing(const std::string& sensor, const Doubt& doubt) {

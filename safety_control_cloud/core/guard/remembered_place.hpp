@@ -23,8 +23,8 @@ struct RememberedPlace {
   double off = 0.0;      ///< [m] by which it may have been displaced as it was seen, or before this frame rested
   double drifted = 0.0;  ///< [m] and by which the way since may be off, as seen from the robot
   std::uint8_t looks = 1, away = 0;
-  bool is_too_near =
-      false;  ///< nothing returns there in the latest look, nor would it: it is nearer than that measures
+  bool is_too_near = false;  ///< nothing returns there in its sensor's latest look, which does not measure so near
+
   /// Nothing returns there any more where a sensor could measure it.
   struct Absent {
     double since;        ///< [s] steady
