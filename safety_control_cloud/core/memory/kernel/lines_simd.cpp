@@ -40,7 +40,8 @@ float least_of(const float* values, std::size_t size) {
   return of_all;
 }
 
-#if HWY_TARGET != HWY_SCALAR
+// In blocks, which vectors are made of whose length the compiler knows.
+#if HWY_TARGET != HWY_SCALAR && !HWY_HAVE_SCALABLE
 
 constexpr std::size_t block_size = 16;  // [byte] that every instruction set can shuffle
 
