@@ -30,6 +30,10 @@ struct CloudView {
   bool swapped = false;  ///< the byte order is not this machine's
 
   std::size_t size() const { return width * height; }
+  bool is_of_floats() const { return scalar == Scalar::Float32 && !swapped; }  ///< of this machine
+  bool y_and_z_follow_x() const {
+    return offset[1] == offset[0] + sizeof(float) && offset[2] == offset[1] + sizeof(float);
+  }
 };
 
 /// Of points that begin with x, y and z, in rows of so many. They are borrowed.

@@ -50,9 +50,8 @@ class Lines {
 
   /// In numbers as wide as what they count, of which a vector holds as many.
   std::size_t count_near(const std::vector<float>& rows) const {
-    const float from = camera_.z, farthest = search_.distance;
     std::uint32_t count = 0;
-    for (const float z : rows) count += (z - from > 0.0f) & (z - from < farthest) ? 1u : 0u;
+    for (const float z : rows) count += is_near(z - camera_.z) ? 1u : 0u;
     return count;
   }
 

@@ -10,12 +10,6 @@ namespace {
 
 const Point nothing = {0.0f, 0.0f, std::numeric_limits<float>::quiet_NaN()};
 
-/// y and z follow x as floats of this machine.
-bool is_plain(const CloudView& cloud) {
-  const auto [x, y, z] = cloud.offset;
-  return cloud.scalar == Scalar::Float32 && !cloud.swapped && y == x + sizeof(float) && z == y + sizeof(float);
-}
-
 constexpr double farthest = 1e6;  // [px] beside the picture: from there all ways in it are parallel
 
 /// To 1/64 of a pixel. A depth image tells it at once and a cloud by its returns, but for rounding; of ways that begin
@@ -80,7 +74,7 @@ Pixels::Pixels(const View& view, float range_min, const RayHits* hits, const Usu
     around_ = &read_around<OneReader>;
   });
   const auto* const cloud = std::get_if<CloudView>(&view);
-  if (!cloud || !is_plain(*cloud)) return;
+  if (!cloud || !cloud->is_of_floats() || !cloud->y_and_z_follow_x()) return;
   plain_ = cloud->bytes + cloud->offset[0];
   read_ = &read_plain;
   around_ = &read_plain_around;

@@ -179,9 +179,9 @@ void visit(const CloudView& points, [[maybe_unused]] bool followed, Visitor& vis
 #if HWY_TARGET != HWY_SCALAR
   const auto [x, y, z] = points.offset;
   const std::size_t lowest = std::min({x, y, z}), end = std::max({x, y, z}) + sizeof(float);
-  const bool plain = y == x + sizeof(float) && z == y + sizeof(float);
+  const bool plain = points.y_and_z_follow_x();
   const bool near = points.point_step >= 3 * sizeof(float) && end - lowest <= block_size;
-  if (near && points.scalar == Scalar::Float32 && !points.swapped) {
+  if (near && points.is_of_floats()) {
     // The last point of the cloud must be copied: its block may end beyond the data.
     visited = (points.width - (followed ? 0 : 1)) / Visitor::at_once * Visitor::at_once;
     const std::uint8_t* first = points.bytes + lowest;

@@ -40,6 +40,12 @@ float least_of(const float* values, std::size_t size) {
   return of_all;
 }
 
+/// z, or NaN where nothing returns, or nothing farther than `range_min` [m].
+HWY_INLINE float returned_from(float x, float y, float z, float range_min) {
+  const float sum = 0.0f * x + 0.0f * y + 0.0f * z;  // of what is not finite, NaN
+  return (sum == 0.0f) & (z > range_min) ? z : std::numeric_limits<float>::quiet_NaN();
+}
+
 // In blocks, which vectors are made of whose length the compiler knows.
 #if HWY_TARGET != HWY_SCALAR && !HWY_HAVE_SCALABLE
 
@@ -57,6 +63,20 @@ HWY_INLINE hn::Vec<Tag> blocks_from(Tag tag, const std::uint8_t* from, [[maybe_u
   }
 }
 
+template <class V>
+struct Coordinates {
+  V x, y, z;
+};
+
+/// Of four points, or of four times as many as there are blocks in a vector.
+template <class Tag, class V = hn::Vec<Tag>>
+HWY_INLINE Coordinates<V> coordinates_of(Tag tag, V a, V b, V c, V d) {
+  const auto xy_of_ac = hn::InterleaveLower(tag, a, c), xy_of_bd = hn::InterleaveLower(tag, b, d);
+  const auto z_of_ac = hn::InterleaveUpper(tag, a, c), z_of_bd = hn::InterleaveUpper(tag, b, d);
+  return {hn::InterleaveLower(tag, xy_of_ac, xy_of_bd), hn::InterleaveUpper(tag, xy_of_ac, xy_of_bd),
+          hn::InterleaveLower(tag, z_of_ac, z_of_bd)};
+}
+
 /// How many it has read: in whole vectors, and not the last, whose block may end beyond the cloud.
 HWY_INLINE std::size_t read_blocks(const StoredPoints& points, float* x, float* y, float* z) {
   const hn::ScalableTag<float> tag;
@@ -65,12 +85,10 @@ HWY_INLINE std::size_t read_blocks(const StoredPoints& points, float* x, float* 
   for (; i + lanes < points.size; i += lanes) {
     const std::uint8_t* const from = points.first + i * points.apart;
     const auto block = [&](std::size_t n) HWY_ATTR { return blocks_from(tag, from + n * points.apart, points.apart); };
-    const auto a = block(0), b = block(1), c = block(2), d = block(3);
-    const auto xy_of_ac = hn::InterleaveLower(tag, a, c), xy_of_bd = hn::InterleaveLower(tag, b, d);
-    hn::StoreU(hn::InterleaveLower(tag, xy_of_ac, xy_of_bd), tag, x + i);
-    hn::StoreU(hn::InterleaveUpper(tag, xy_of_ac, xy_of_bd), tag, y + i);
-    const auto z_of_ac = hn::InterleaveUpper(tag, a, c), z_of_bd = hn::InterleaveUpper(tag, b, d);
-    hn::StoreU(hn::InterleaveLower(tag, z_of_ac, z_of_bd), tag, z + i);
+    const auto of_all = coordinates_of(tag, block(0), block(1), block(2), block(3));
+    hn::StoreU(of_all.x, tag, x + i);
+    hn::StoreU(of_all.y, tag, y + i);
+    hn::StoreU(of_all.z, tag, z + i);
   }
   return i;
 }
@@ -84,13 +102,10 @@ std::array<float, 9> around(const StoredAround& pixels, float range_min) {
   float all[side * side + lanes - side];
   for (std::size_t row = 0; row < side; ++row) {
     const std::uint8_t* const from = pixels.first + row * pixels.rows_apart;
-    const auto a = blocks_from(tag, from, 0), b = blocks_from(tag, from + pixels.apart, 0);
-    const auto c = blocks_from(tag, from + 2 * pixels.apart, 0);
-    const auto xy_of_ac = hn::InterleaveLower(tag, a, c), xy_of_bc = hn::InterleaveLower(tag, b, c);
-    const auto x = hn::InterleaveLower(tag, xy_of_ac, xy_of_bc), y = hn::InterleaveUpper(tag, xy_of_ac, xy_of_bc);
-    const auto z = hn::InterleaveLower(tag, hn::InterleaveUpper(tag, a, c), hn::InterleaveUpper(tag, b, c));
-    const auto sum =
-        hn::Add(hn::Add(hn::Mul(zero, x), hn::Mul(zero, y)), hn::Mul(zero, z));  // of what is not finite, NaN
+    const auto last = blocks_from(tag, from + 2 * pixels.apart, 0);
+    const auto [x, y, z] =
+        coordinates_of(tag, blocks_from(tag, from, 0), blocks_from(tag, from + pixels.apart, 0), last, last);
+    const auto sum = hn::Add(hn::Add(hn::Mul(zero, x), hn::Mul(zero, y)), hn::Mul(zero, z));  // as in returned_from
     hn::StoreU(hn::IfThenElse(hn::And(hn::Eq(sum, zero), hn::Gt(z, least)), z, nothing), tag, all + row * side);
   }
   std::array<float, 9> z;
@@ -107,8 +122,7 @@ std::array<float, 9> around(const StoredAround& pixels, float range_min) {
   for (std::size_t i = 0; i < z.size(); ++i) {
     float xyz[3];
     std::memcpy(xyz, pixels.first + i / 3 * pixels.rows_apart + i % 3 * pixels.apart, sizeof xyz);
-    const float sum = 0.0f * xyz[0] + 0.0f * xyz[1] + 0.0f * xyz[2];
-    z[i] = (sum == 0.0f) & (xyz[2] > range_min) ? xyz[2] : std::numeric_limits<float>::quiet_NaN();
+    z[i] = returned_from(xyz[0], xyz[1], xyz[2], range_min);
   }
   return z;
 }
@@ -126,10 +140,7 @@ void read(const StoredPoints& points, float* x, float* y, float* z) {
 void place(const PixelsOfRow& pixels, float range_min, const std::optional<Placement>& placement, float* x, float* y,
            float* z) {
   const float *const from_x = pixels.x, *const from_y = pixels.y, *const from_z = pixels.z;
-  for (std::size_t i = 0; i < pixels.size; ++i) {
-    const float sum = 0.0f * from_x[i] + 0.0f * from_y[i] + 0.0f * from_z[i];  // of what is not finite, NaN
-    z[i] = (sum == 0.0f) & (from_z[i] > range_min) ? from_z[i] : std::numeric_limits<float>::quiet_NaN();
-  }
+  for (std::size_t i = 0; i < pixels.size; ++i) z[i] = returned_from(from_x[i], from_y[i], from_z[i], range_min);
   if (!placement) return;
   const Placement rows = *placement;
   for (std::size_t i = 0; i < pixels.size; ++i) {
