@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 CORE = Path(__file__).resolve().parent.parent / "safety_control_cloud" / "core"
-KERNELS = [CORE / "look" / "kernel" / "scan_simd.cpp", CORE / "memory" / "kernel" / "lines_simd.cpp"]
+KERNELS = [CORE / "look" / "kernel" / "scan_simd.cpp", *sorted((CORE / "memory" / "kernel").glob("*_simd.cpp"))]
 COMPILER = "aarch64-linux-gnu-g++"
 HEADERS = Path("/usr/include")
 PORTABLE_HEADERS = ("boost", "eigen3")  # and PCL's; all else there is for this machine's processor

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kernel/lines.hpp"
+#include "kernel/points.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -28,7 +28,7 @@ class Places {
     }
   }
 
-  lines::PixelsOfRow all() const {
+  points::PixelsOfRow all() const {
     const float* const x = coordinates_.data();
     return {x, x + size_, x + 2 * size_, size_};
   }
@@ -53,7 +53,7 @@ Likeness likeness_of(const std::vector<Spot>& before, const Thing& now) {
   std::size_t close = 0, asked = 0;
   double closeness = 0.0;
   for (std::size_t i = 0; i < before.size(); i += 1 + before.size() / enough_spots, ++asked) {
-    const float least = lines::least_square(seen.all(), before[i].point, far);
+    const float least = points::least_square(seen.all(), before[i].point, far);
     close += least < far;
     closeness += 1.0 - std::sqrt(double{least}) / double{farthest_step};
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../look/outlook.hpp"
+#include "kernel/lines.hpp"
 #include "pixels.hpp"
 
 namespace safety_control_cloud {

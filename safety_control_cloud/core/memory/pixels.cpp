@@ -39,7 +39,7 @@ std::array<float, 9> Pixels::read_plain_around(const Pixels& picture, std::size_
   const bool all_are = row > 0 && row + 2 < picture.height_ && column > 0 && column + 1 < picture.width_;
   if (!all_are) return read_around<CloudReader<float, false>>(picture, row, column);
   const std::uint8_t* const first = picture.plain_ + (row - 1) * picture.row_step_ + (column - 1) * picture.pixel_step_;
-  return lines::around({first, picture.pixel_step_, picture.row_step_}, picture.range_min_);
+  return points::around({first, picture.pixel_step_, picture.row_step_}, picture.range_min_);
 }
 
 template <class OneReader>
@@ -106,11 +106,11 @@ void Pixels::read(std::size_t row, std::size_t step, const Outlook& outlook, Pix
     }
   };
   if (plain_) {
-    lines::read({plain_ + row * row_step_, step * pixel_step_, size}, xs, ys, zs);
+    points::read({plain_ + row * row_step_, step * pixel_step_, size}, xs, ys, zs);
   } else {
     std::visit(take_each, reader_);
   }
-  lines::place(into.pixels(), range_min_, outlook.placement, xs, ys, zs);
+  points::place(into.pixels(), range_min_, outlook.placement, xs, ys, zs);
 }
 
 Point Pixels::near(std::ptrdiff_t row, std::ptrdiff_t column) const {

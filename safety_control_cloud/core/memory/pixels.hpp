@@ -12,7 +12,7 @@
 #include "../input/point_reader.hpp"
 #include "../look/outlook.hpp"
 #include "../look/ray_lines.hpp"
-#include "kernel/lines.hpp"
+#include "kernel/points.hpp"
 #include "ray_hits.hpp"
 #include "usual_cells.hpp"
 
@@ -22,7 +22,7 @@ namespace safety_control_cloud {
 struct PixelRow {
   std::vector<float> x, y, z;
 
-  lines::PixelsOfRow pixels() const { return {x.data(), y.data(), z.data(), z.size()}; }
+  points::PixelsOfRow pixels() const { return {x.data(), y.data(), z.data(), z.size()}; }
 };
 
 /// How a picture looks out.
@@ -87,7 +87,7 @@ class Pixels {
   Point (*read_)(const Pixels&, std::size_t, std::size_t) = nullptr;
   std::array<float, 9> (*around_)(const Pixels&, std::size_t, std::size_t) = nullptr;
   const std::uint8_t* bytes_ = nullptr;
-  const std::uint8_t* plain_ = nullptr;        ///< the first x, if the others lie behind it as lines::read() wants them
+  const std::uint8_t* plain_ = nullptr;  ///< the first x, if the others lie behind it as points::read() wants them
   std::size_t row_step_ = 0, pixel_step_ = 0;  ///< [byte]
   std::size_t width_, height_;
   float range_min_;
