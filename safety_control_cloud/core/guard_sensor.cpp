@@ -119,8 +119,8 @@ void GuardSensor::face(const Reading& reading, const Placing& placing) {
   if (length_of(ahead) == 0.0) return;  // straight up or down
   const double heading = std::atan2(ahead.y, ahead.x);
   if (std::abs(std::remainder(heading - facing_, 2.0 * half_turn)) <= turned_away) return;
-  facing_ = std::abs(heading) <= turned_away ? 0.0 : heading;
-  sensor_.adopt(sensor_settings(own_, facing_));
+  const double before = std::exchange(facing_, std::abs(heading) <= turned_away ? 0.0 : heading);
+  sensor_.turn_corridor(sensor_settings(own_, facing_), facing_ - before);
 }
 
 Look GuardSensor::take(const Reading& reading, const Origin& origin, const Outlook& outlook, const Instant& now,

@@ -48,6 +48,11 @@ void Sensor::adopt(const Settings& settings) {
   settings_ = settings;
 }
 
+void Sensor::turn_corridor(const Settings& settings, double angle) {
+  near_loss_.turn_corridor(angle);
+  settings_ = settings;
+}
+
 void Sensor::forget_losses() {
   near_loss_.forget();
   stamps_.forget();

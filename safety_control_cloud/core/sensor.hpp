@@ -56,6 +56,9 @@ class Sensor {
   /// Goes on with other settings.
   void adopt(const Settings& settings);
 
+  /// The same with those of a corridor that leads elsewhere, by so much to the left [rad].
+  void turn_corridor(const Settings& settings, double angle);
+
   /// A reading has come, readable or not. `alongside`: what else is done with its points, if it is looked at.
   void see(const Reading& reading, const Origin& origin, const Instant& now, Crop crop = Crop::Skip,
            const Alongside* alongside = nullptr);

@@ -37,13 +37,15 @@ def picture(camera: np.ndarray, boxes: tuple, random: np.random.Generator) -> np
     return (rays * depth[..., None]).astype(np.float32)
 
 
+SETTINGS = core.Settings(mode="drive", target_frame="base_footprint", bottom=0.05, top=0.55, left=0.3, right=0.3)
+
+
 @pytest.mark.parametrize("degrees_per_second", [15, 30, 60])
 @pytest.mark.parametrize("degrees", [-25, -35])
 @pytest.mark.parametrize("ahead", [0.35])
 def test_the_robot_stands_for_a_post_from_which_the_head_turns_away(ahead, degrees, degrees_per_second):
     random = np.random.default_rng(0)
-    control = core.SafetyControl(core.Settings(
-        mode="drive", target_frame="base_footprint", bottom=0.05, top=0.55, left=0.3, right=0.3))
+    control = core.SafetyControl(SETTINGS)
     post = (ahead, ahead + 0.1, 0.08, 0.18, 0.0, 1.0)
     turning = abs(degrees) / degrees_per_second
     for now in np.arange(0.0, 2 * AFTER + turning, 1 / RATE):
@@ -51,3 +53,23 @@ def test_the_robot_stands_for_a_post_from_which_the_head_turns_away(ahead, degre
         decision = control.decide(picture(placing(pan), (post, *ROOM), random), now=now, camera=placing(pan))
         if now > 0.3:
             assert decision.speed == 0.0, f"after {now:.2f} s, at {np.degrees(pan):.0f} degrees: {decision.reason}"
+
+
+@pytest.mark.parametrize(("degrees", "degrees_per_second"), [(6, 60), (-20, 180), (35, 90)])
+@pytest.mark.parametrize("thing", [(0.4, 0.0, 0.27), (0.4, 0.22, 0.5)], ids=["crate", "board"])
+def test_what_the_head_passed_over_frees_the_robot_once_it_has_gone(thing, degrees, degrees_per_second):
+    """While it moves, parts of the thing come into its picture and leave it again, each as seen on another way."""
+    random = np.random.default_rng(0)
+    control = core.SafetyControl(SETTINGS)
+    width, bottom, top = thing
+    turning = abs(degrees) / degrees_per_second
+    leaves = 4 * AFTER + 2 * turning
+    for now in np.arange(0.0, leaves + 5.0, 1 / RATE):
+        there, back = (now - AFTER) / turning, 1 + (now - 2 * AFTER - turning) / turning
+        pan = np.radians(degrees) * np.clip(min(there, 2 - back), 0.0, 1.0)
+        ahead = max(0.3, 0.7 - now) + 0.6 * max(0.0, now - leaves)
+        box = (ahead, ahead + 0.2, -width / 2, width / 2, bottom, top)
+        decision = control.decide(picture(placing(pan), (box, *ROOM), random), now=now, camera=placing(pan))
+        if 0.4 < now <= leaves:
+            assert decision.speed == 0.0, f"after {now:.2f} s, at {np.degrees(pan):.0f} degrees: {decision.reason}"
+    assert decision.speed > 0.0, decision.reason

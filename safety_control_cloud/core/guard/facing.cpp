@@ -2,7 +2,6 @@
 #include "facing.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "pose.hpp"
@@ -11,12 +10,11 @@ namespace safety_control_cloud {
 
 Placement in_turned_frame(const Placement& placement, double angle) {
   if (angle == 0.0) return placement;
-  const auto c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
   Placement turned = placement;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const float right = placement.rows[0][i], forward = placement.rows[2][i];
-    turned.rows[0][i] = c * right + s * forward;
-    turned.rows[2][i] = c * forward - s * right;
+  auto& [x, y, z] = turned.rows;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const auto [right, down, forward] = in_turned_axes({x[i], y[i], z[i]}, angle);
+    x[i] = right, y[i] = down, z[i] = forward;
   }
   return turned;
 }

@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "placement.hpp"
 
+#include <cmath>
+
 namespace safety_control_cloud {
+
+std::array<float, 3> in_turned_axes(const std::array<float, 3>& axes, double angle) {
+  const auto c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
+  const auto [right, down, forward] = axes;
+  return {c * right + s * forward, down, c * forward - s * right};
+}
 
 Placing placing_of(const Eigen::Matrix<double, 3, 4>& cloud_in_target) {
   if (!cloud_in_target.allFinite()) return NoTransform{"the transform is not finite"};

@@ -24,6 +24,10 @@ struct Placement {
   }
 };
 
+/// A direction or a place of the corridor's axes, in those of one that leads elsewhere: `angle` [rad] to the left of
+/// it.
+std::array<float, 3> in_turned_axes(const std::array<float, 3>& axes, double angle);
+
 /// The corridor lies in the camera's own optical frame.
 struct OpticalFrame {};
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "../look/outlook.hpp"
@@ -18,13 +19,16 @@ inline Axis axis_of(const Outlook& outlook) {
   return {{x[2], y[2], z[2]}, {x[0], y[0], z[0]}};
 }
 
-/// Whether the angle between them is less than that of which `least` is the cosine.
-inline bool are_same(const Axis& a, const Axis& b, float least) {
+/// Cosine of the angle between them, the greater of that ahead and that to the right.
+inline float cosine_of(const Axis& a, const Axis& b) {
   const auto cosine = [](const std::array<float, 3>& one, const std::array<float, 3>& other) {
     return one[0] * other[0] + one[1] * other[1] + one[2] * other[2];
   };
-  return cosine(a.ahead, b.ahead) > least && cosine(a.right, b.right) > least;
+  return std::min(cosine(a.ahead, b.ahead), cosine(a.right, b.right));
 }
+
+/// Whether the angle between them is less than that of which `least` is the cosine.
+inline bool are_same(const Axis& a, const Axis& b, float least) { return cosine_of(a, b) > least; }
 
 /// Cosine: by so much, 1 degree, a camera may have turned for its picture to show the same places.
 constexpr float same_axis = 0.99985f;

@@ -2,10 +2,12 @@
 #include "forgiving.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "evidence.hpp"
 #include "likeness.hpp"
+#include "turned.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -23,14 +25,15 @@ struct Rest {
 
 class Forgiving {
  public:
-  Forgiving(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Axis& axis)
-      : thing_(thing), picture_(picture), floor_(floor), axis_(axis) {
+  Forgiving(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Gaze& gaze)
+      : thing_(thing), picture_(picture), floor_(floor) {
+    turn_to(gaze);
     std::vector<Spot> seen_past, standing;
     said_.reserve(thing.lost.size());
-    for (const Spot& spot : thing.lost) {
-      said_.push_back(evidence_of(spot, picture));
-      if (said_.back() == Evidence::Past) seen_past.push_back(spot);
-      if (spot.stands) standing.push_back(spot);
+    for (std::size_t i = 0; i < thing.lost.size(); ++i) {
+      said_.push_back(evidence(i));
+      if (said_.back() == Evidence::Past) seen_past.push_back(shown(i));
+      if (shown(i).stands) standing.push_back(shown(i));
     }
     between_rays_ = may_lie_between_rays(std::move(seen_past), picture);
     floor_between_ = may_stand_between_rays(std::move(standing), floor.rows, picture);
@@ -40,9 +43,10 @@ class Forgiving {
     std::vector<Spot>& lost = thing_.lost;
     std::size_t staying = 0;
     for (std::size_t i = 0; i < said_.size(); ++i) {
-      const Fate fate = fate_of(lost[i], said_[i]);
+      const Fate fate = fate_of(i);
       if (fate == Fate::Goes) continue;
       if (fate == Fate::Stays) note_staying(lost[i], staying);
+      if (!elsewhere_.empty()) std::swap(elsewhere_[staying], elsewhere_[i]);
       std::swap(lost[staying++], lost[i]);
     }
     lost.resize(staying);
@@ -56,7 +60,7 @@ class Forgiving {
     if (!(gone > 0.0) || !is_most) return;
     std::vector<Spot>& lost = thing_.lost;
     for (const std::size_t i : not_seen_past_)
-      if (between_rays_ || leaves_a_hole(lost[i], picture_)) rest_with(lost[i]).blank += double{lost[i].share};
+      if (between_rays_ || is_a_hole(i)) rest_with(lost[i]).blank += double{lost[i].share};
     const auto goes_along = [this](const Spot& spot) { return !rest_with(spot).is_a_hole(); };
     lost.erase(std::remove_if(lost.begin(), lost.end(), goes_along), lost.end());
   }
@@ -65,32 +69,74 @@ class Forgiving {
   /// Apart: it stays, whatever becomes of the others.
   enum class Fate { Goes, Stays, Apart };
 
-  Fate fate_of(Spot& spot, Evidence said) {
-    if (!spot.axis) spot.axis = axis_;
-    if (!are_same(*spot.axis, axis_, same_axis)) return Fate::Apart;
+  /// Of a spot that was seen when the camera looked elsewhere.
+  struct Elsewhere {
+    bool is_so = false;
+    std::optional<TurnedSpot> turned{};  ///< none: the picture says nothing of it
+  };
+
+  void turn_to(const Gaze& gaze) {
+    const auto is_elsewhere = [&](const Spot& spot) { return !are_same(*spot.axis, gaze.axis, same_axis); };
+    for (Spot& spot : thing_.lost)
+      if (!spot.axis) spot.axis = gaze.axis;
+    if (std::none_of(thing_.lost.begin(), thing_.lost.end(), is_elsewhere)) return;
+    for (const Spot& spot : thing_.lost) {
+      elsewhere_.push_back({is_elsewhere(spot)});
+      if (elsewhere_.back().is_so) elsewhere_.back().turned = turned_spot(spot, gaze, picture_);
+    }
+  }
+
+  bool is_elsewhere(std::size_t i) const { return !elsewhere_.empty() && elsewhere_[i].is_so; }
+  const TurnedSpot* turned(std::size_t i) const {
+    return is_elsewhere(i) && elsewhere_[i].turned ? &*elsewhere_[i].turned : nullptr;
+  }
+  /// As the picture would show it.
+  const Spot& shown(std::size_t i) const { return turned(i) ? turned(i)->spot : thing_.lost[i]; }
+
+  Evidence evidence(std::size_t i) const {
+    if (is_elsewhere(i)) return turned(i) ? evidence_of(*turned(i), picture_) : Evidence::Nothing;
+    return evidence_of(thing_.lost[i], picture_);
+  }
+  bool is_a_hole(std::size_t i) const {
+    return turned(i) ? leaves_a_hole(*turned(i), picture_) : leaves_a_hole(thing_.lost[i], picture_);
+  }
+
+  Fate fate_of(std::size_t i) {
+    if (is_elsewhere(i) && !turned(i)) return Fate::Apart;
+    Spot& spot = thing_.lost[i];
     if (spot.lost_for < floor_.after) ++spot.lost_for;
-    const bool is_past = said == Evidence::Past && !between_rays_;
-    if (is_past && !thing_.is_seen() && leaves_at_the_top(spot, picture_) && !shows_floor_below(spot)) {
+    const bool is_past = said_[i] == Evidence::Past && !between_rays_;
+    if (is_past && may_have_left(i) && !shows_floor_below(i)) {
       leaving_ += double{spot.share};
       return Fate::Apart;
     }
     spot.seen_past = is_past ? static_cast<std::uint8_t>(spot.seen_past + 1) : std::uint8_t{0};
-    if (is_seen_again(spot, said)) return Fate::Goes;
-    if (spot.seen_past < clouds_to_go && !shows_floor_below(spot)) return Fate::Stays;
+    if (is_seen_again(i)) return Fate::Goes;
+    if (spot.seen_past < clouds_to_go && !shows_floor_below(i)) return Fate::Stays;
     thing_.freed += double{spot.share};
     return Fate::Goes;
   }
 
+  /// At the picture's upper border, as what comes nearer does, or since it is not known just where it lies.
+  bool may_have_left(std::size_t i) const {
+    if (turned(i) && !turned(i)->is_whole) return true;
+    return !thing_.is_seen() && leaves_at_the_top(shown(i), picture_);
+  }
+
   /// As a thing that is seen; what comes nearer while a part of it is seen is that thing itself.
-  bool is_seen_again(const Spot& spot, Evidence said) const {
-    if (said == Evidence::There) return true;
-    return said == Evidence::Hidden && thing_.is_seen() &&
+  bool is_seen_again(std::size_t i) const {
+    if (said_[i] == Evidence::There) return true;
+    const Spot& spot = shown(i);
+    return said_[i] == Evidence::Hidden && thing_.is_seen() &&
            picture_.near(spot.row, spot.column).z > spot.point.z - farthest_step;
   }
 
-  bool shows_floor_below(const Spot& spot) const {
-    const bool may_stand = spot.stands && spot.column_shown && spot.lost_for >= floor_.after;
-    return may_stand && !floor_between_ && floor_.is_seen_again(spot.column);
+  bool shows_floor_below(std::size_t i) const {
+    const Spot& spot = shown(i);
+    const bool may_stand = spot.stands && spot.column_shown && thing_.lost[i].lost_for >= floor_.after;
+    if (!may_stand || floor_between_ || !floor_.is_seen_again(spot.column)) return false;
+    const auto shows_it = [this](const TurnedSpot::Place& place) { return floor_.is_seen_again(place.column); };
+    return !turned(i) || std::all_of(turned(i)->places.begin(), turned(i)->places.end(), shows_it);
   }
 
   /// `i`: which of the lost it will be.
@@ -108,8 +154,8 @@ class Forgiving {
   Remembered& thing_;
   const Pixels& picture_;
   const NearFloor& floor_;
-  const Axis& axis_;
-  std::vector<Evidence> said_;  ///< of each of the lost
+  std::vector<Evidence> said_;        ///< of each of the lost
+  std::vector<Elsewhere> elsewhere_;  ///< of each of the lost; empty if none is
   bool between_rays_ = false, floor_between_ = false;
   Rest rest_, hung_rest_, alone_rest_;
   double leaving_ = 0.0;  ///< [m2] of those that stay
@@ -118,8 +164,8 @@ class Forgiving {
 
 }  // namespace
 
-void forgive(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Axis& axis) {
-  Forgiving forgiving(thing, picture, floor, axis);
+void forgive(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Gaze& gaze) {
+  Forgiving forgiving(thing, picture, floor, gaze);
   forgiving.drop_what_has_gone();
   forgiving.drop_the_rest();
 }

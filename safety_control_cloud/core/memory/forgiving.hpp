@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "axis.hpp"
+#include "gaze.hpp"
 #include "pixels.hpp"
 #include "remembered.hpp"
 
@@ -23,18 +23,17 @@ struct NearFloor {
   std::uint8_t after = 1;                ///< so many clouds show it before it says anything of what is lost
 };
 
-/// Asks a picture, of a camera that looks along `axis`, about each lost spot of a thing, and drops those that are seen
-/// again, that have gone, and that go along with those. What of it counts as gone is added to what is freed.
+/// Asks a picture about each lost spot of a thing, and drops those that are seen again, that have gone, and that go
+/// along with those. What of it counts as gone is added to what is freed.
 ///
 /// - It has gone where the picture shows what is behind it in three successive clouds, or if it stood and the near
-/// floor
-///   is seen again in its column. While the camera looks another way than when it was seen, its picture says nothing.
+///   floor is seen again in its column. If the camera looks elsewhere than when it was seen, it is looked for where the
+///   picture shows its place by now (turned.hpp); of what lies beside the picture that says nothing.
 /// - Once nearly all has gone or is seen past, the rest goes too, at once, unless most of that is a hole: something
 ///   smaller may have gone out of sight together with it. What hung goes by itself.
 /// - Of a cloud that is not organised the picture is a raster, in which what is thin leaves no hole: it is not seen
-/// past
-///   while nothing may return on the rays that it would take.
+///   past while nothing may return on the rays that it would take.
 /// - What leaves the picture at its upper border, within the corridor, is not seen to go by what is seen below it.
-void forgive(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Axis& axis);
+void forgive(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Gaze& gaze);
 
 }  // namespace safety_control_cloud

@@ -211,7 +211,7 @@ void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, 
     return !ground_.is_near(i) && floor_.is_seen_again(i, clouds_of_floor > 1);
   };
   const NearFloor floor{is_seen_again, floor_.rows(), clouds_of_floor};
-  things_.update(std::move(things), search.picture, floor, backdrop_, near_distance(), axis_of(search.outlook));
+  things_.update(std::move(things), search.picture, floor, backdrop_, near_distance(), {search.outlook, frame_.rays});
   things_.forget_old(patience);
 }
 
@@ -261,6 +261,14 @@ bool NearLoss::move_to(const Frame& frame) {
 void NearLoss::change_corridor() {
   low_.change_corridor();
   things_.for_each_spot([](Spot& spot) { spot.place.reset(); });
+}
+
+/// What is known behind is told as the camera looked before, in the axes as they were: it is looked for anew.
+void NearLoss::turn_corridor(double angle) {
+  low_.change_corridor();
+  backdrop_ = Backdrop{};
+  things_.stay();
+  things_.turn_corridor(angle);
 }
 
 /// In the corridor, and near enough to count.

@@ -47,6 +47,8 @@ class NearLoss {
 
   /// The corridor is another one: what is remembered is judged by it from now on.
   void change_corridor();
+  /// It leads elsewhere, by so much to the left [rad].
+  void turn_corridor(double angle);
 
   /// Whether look() is to tell the rows of this cloud apart: judge() asks for the nearest in each.
   Rows rows_for(const View& view) const;

@@ -2,6 +2,7 @@
 #include "things_memory.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "evidence.hpp"
 #include "hanging.hpp"
 #include "likeness.hpp"
+#include "turned.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -29,15 +31,25 @@ double blank_in(const std::vector<Spot>& spots, const Pixels& picture) {
   return blank;
 }
 
-void append(std::vector<Spot>& all, std::vector<Spot> some) {
+/// If they are too many, every other one, and those stand for all; but a thing of which one part is lost over and over
+/// is no larger for that than it was: of `size` [m2].
+void append(std::vector<Spot>& all, std::vector<Spot> some, double size) {
   std::move(some.begin(), some.end(), std::back_inserter(all));
   if (all.size() <= most_lost) return;
-  for (std::size_t i = 0; 2 * i < all.size(); ++i) {
-    Spot spot = all[2 * i];
-    spot.share *= 2.0f;
-    all[i] = spot;
-  }
+  const double lost = std::min(size_of(all), size);
+  for (std::size_t i = 0; 2 * i < all.size(); ++i) all[i] = all[2 * i];
   all.resize((all.size() + 1) / 2);
+  const auto scale = static_cast<float>(lost / std::max(size_of(all), 1e-12));
+  for (Spot& spot : all) spot.share *= scale;
+}
+
+/// While a camera turns, its picture says of nothing that it has gone, but of what is seen again that it is not lost.
+void drop_what_is_seen(std::vector<Spot>& lost, const Gaze& gaze, float turning, const Pixels& picture) {
+  const auto is_seen = [&](const Spot& spot) {
+    const auto turned = turned_spot(spot, gaze, picture, turning);
+    return turned && is_there(*turned, picture);
+  };
+  lost.erase(std::remove_if(lost.begin(), lost.end(), is_seen), lost.end());
 }
 
 void drop_what_came_along(std::vector<Spot>& spots) {
@@ -59,11 +71,12 @@ void ThingsMemory::scale_sizes(double by) {
 }
 
 void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor,
-                          const Backdrop& backdrop, float near, const Axis& axis) {
-  auto before = follow(std::move(seen), near);
+                          const Backdrop& backdrop, float near, const Gaze& gaze) {
+  const float turning = turning_to(gaze.axis);
+  auto before = follow(std::move(seen), near, turning);
   for (std::size_t i = 0; i < things_.size(); ++i) lose(things_[i], std::move(before[i]));
   unlearn_blind_range();
-  const bool rest = !axis_ || are_same(*axis_, axis, rests);
+  const bool rest = !axis_ || are_same(*axis_, gaze.axis, rests);
   std::optional<std::vector<Backdrop::Place>> hidden;  // asked for once, if at all
   const auto follow_hole = [&](Remembered& thing) {
     if (!hidden) hidden = backdrop.hidden_in(picture);
@@ -71,25 +84,26 @@ void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const 
   };
   for (Remembered& thing : things_) {
     note_vanished(thing, picture, near);
+    if (!rest) drop_what_is_seen(thing.lost, gaze, turning, picture);
     if (!rest || thing.lost.empty()) continue;
     if (thing.moved) {
-      if (backdrop.looks_along(axis)) follow_hole(thing);
+      if (backdrop.looks_along(gaze.axis)) follow_hole(thing);
       continue;
     }
     const auto hanging = nearest_hanging(thing.lost);
     const double size = thing.freed + size_of(thing.lost);
-    forgive(thing, picture, floor, axis);
+    forgive(thing, picture, floor, gaze);
     if (hanging && thing.lost.empty() && !thing.is_seen()) thing.moved = Moved{*hanging, size};
     if (thing.moved) follow_hole(thing);
   }
-  axis_ = axis;
+  axis_ = gaze.axis;
   drop_empty();
 }
 
 /// Nothing goes for what is seen behind it, and nothing vanishes: what does not return counts as seen until a picture
 /// says more, but where something else is seen now.
 void ThingsMemory::update_by_little(std::vector<Thing> seen, const Pixels& picture, float near, const Axis& axis) {
-  auto before = follow(std::move(seen), near);
+  auto before = follow(std::move(seen), near, turning_to(axis));
   const bool rest = !axis_ || are_same(*axis_, axis, rests);
   const auto is_there = [&](const Spot& spot) {
     return rest && spot.axis && are_same(*spot.axis, axis, same_axis) && evidence_of(spot, picture) == Evidence::There;
@@ -155,9 +169,14 @@ void ThingsMemory::unlearn_blind_range() {
   for (Remembered& thing : things_) thing.vanished = false;
 }
 
+/// [rad] from the picture before.
+float ThingsMemory::turning_to(const Axis& axis) const {
+  return axis_ ? std::acos(std::clamp(cosine_of(*axis_, axis), -1.0f, 1.0f)) : 0.0f;
+}
+
 /// Which of the things that were seen are those that are seen now: the ones that have most in common. Of each thing
 /// what was seen before, unless it has moved as a whole.
-std::vector<Thing> ThingsMemory::follow(std::vector<Thing> seen, float near) {
+std::vector<Thing> ThingsMemory::follow(std::vector<Thing> seen, float near, float turning) {
   std::vector<Thing> before;
   for (Remembered& thing : things_) {
     before.push_back(std::exchange(thing.seen, Thing{}));
@@ -194,7 +213,10 @@ std::vector<Thing> ThingsMemory::follow(std::vector<Thing> seen, float near) {
     thing.stood = now.stands || (thing.stood && !now.hangs);
     // What is left of it at a border may show no foot: a post that slides out of the corridor still stands. But what is
     // seen below it says that it does not.
-    for (Spot& spot : now.spots) spot.stands = spot.stands || (thing.stood && spot.foot_unseen);
+    for (Spot& spot : now.spots) {
+      spot.stands = spot.stands || (thing.stood && spot.foot_unseen);
+      spot.turning = turning;
+    }
     thing.seen = std::move(now);
     thing.freed = 0.0;
     thing.vanished = false;
@@ -205,7 +227,7 @@ std::vector<Thing> ThingsMemory::follow(std::vector<Thing> seen, float near) {
 
 void ThingsMemory::lose(Remembered& thing, Thing before) {
   const bool was_noise = thing.is_slight && thing.clouds < 2;
-  if (!was_noise) append(thing.lost, std::move(before.spots));
+  if (!was_noise) append(thing.lost, std::move(before.spots), thing.size);
 }
 
 /// As long as there is one. Its spots are not asked: it may have left most of them.
@@ -213,6 +235,17 @@ void ThingsMemory::stay_in_hole(Remembered& thing, std::vector<Spot> spots) {
   thing.moved->clouds_gone = spots.empty() ? thing.moved->clouds_gone + 1 : 0;
   if (spots.empty() && thing.moved->clouds_gone < clouds_to_go) return;
   thing.lost = std::move(spots);
+}
+
+void ThingsMemory::turn_corridor(double angle) {
+  const auto turn = [=](Axis& axis) { axis = {in_turned_axes(axis.ahead, angle), in_turned_axes(axis.right, angle)}; };
+  if (axis_) turn(*axis_);
+  for_each_spot([&](Spot& spot) {
+    if (spot.axis) turn(*spot.axis);
+    if (!spot.place) return;
+    const auto [x, y, z] = in_turned_axes({spot.place->x, spot.place->y, spot.place->z}, angle);
+    spot.place = Point(x, y, z);
+  });
 }
 
 void ThingsMemory::stay() {

@@ -24,12 +24,12 @@ namespace safety_control_cloud {
 ///   which is not at the border, returns nothing any more from one cloud to the next, it was not seen to go away. The
 ///   sensor is blind at the distance at which it was; it is kept, and that distance is near from then on, until a thing
 ///   is seen nearer.
-/// - While the camera turns, its picture says nothing of what is lost.
+/// - While the camera turns, its picture says only what of the lost is seen again: not that anything has gone.
 class ThingsMemory {
  public:
   /// Nearer than `near` [m] ahead of the camera is near.
   void update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor, const Backdrop& backdrop,
-              float near, const Axis& axis);
+              float near, const Gaze& gaze);
   /// In a picture most of which returns nothing, only what is seen counts: what is not may be there all the same.
   void update_by_little(std::vector<Thing> seen, const Pixels& picture, float near, const Axis& axis);
   /// Drops what has been lost for too long, and nothing else.
@@ -45,6 +45,8 @@ class ThingsMemory {
   }
   /// Sizes are told but for the picture's angle; that of the next one is another.
   void scale_sizes(double by);
+  /// The corridor leads elsewhere, by so much to the left [rad], and with it turn the axes that places are told in.
+  void turn_corridor(double angle);
   /// What has moved is lost where it is by now: what was seen behind is not known any more.
   void stay();
   bool empty() const { return things_.empty(); }
@@ -54,7 +56,8 @@ class ThingsMemory {
   void restore(std::vector<Remembered> things, float blind_range);
 
  private:
-  std::vector<Thing> follow(std::vector<Thing> seen, float near);
+  float turning_to(const Axis& axis) const;
+  std::vector<Thing> follow(std::vector<Thing> seen, float near, float turning);
   static void lose(Remembered& thing, Thing before);
   static void stay_in_hole(Remembered& thing, std::vector<Spot> spots);
   void note_vanished(Remembered& thing, const Pixels& picture, float near);

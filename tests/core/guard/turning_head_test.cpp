@@ -2,6 +2,8 @@
 // A camera on a head that turns, and what it lost before.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "robot_with_sensors.hpp"
 
 namespace safety_control_cloud {
@@ -28,12 +30,20 @@ struct RobotWithHead : GuardedRobot {
     see(scene.view(), turned_xtion(heading));
   }
 
-  /// By so much, past a wall that is everywhere else.
+  /// At the post, and at a wall that is everywhere else.
+  Scene around() const {
+    constexpr double camera = -0.087, to_post = 0.36 + camera;  // [m] ahead of what the head turns around
+    const double ahead = to_post * std::cos(heading) - camera, right = to_post * std::sin(heading);
+    if (ahead < 0.1) return wall;
+    return Scene({post(static_cast<float>(ahead), static_cast<float>(right)), post(2.0f, 0.0f, 9.0f)});
+  }
+
+  /// By so much, past the post.
   void turns_head(double angle) {
     constexpr int steps = 40;
     for (int i = 0; i < steps; ++i) {
       heading += angle / steps;
-      looks(wall);
+      looks(around());
       EXPECT_EQ(wants(ahead).factor, 0.0) << heading << " rad: " << wants(ahead).reason;
     }
   }
@@ -46,7 +56,7 @@ TEST(TurningHead, WhatItLostStaysWhileItLooksElsewhere) {
     RobotWithHead robot;
     ASSERT_EQ(robot.wants(ahead).cause, Cause::NearLoss) << robot.wants(ahead).reason;
     robot.turns_head(angle);
-    for (int i = 0; i < 20; ++i) robot.looks(robot.wall);
+    for (int i = 0; i < 20; ++i) robot.looks(robot.around());
     EXPECT_EQ(robot.wants(ahead).factor, 0.0) << angle << " rad: " << robot.wants(ahead).reason;
   }
 }

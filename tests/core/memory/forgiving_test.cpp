@@ -9,7 +9,7 @@ namespace safety_control_cloud {
 namespace {
 
 constexpr std::size_t columns = 160, rows = 120;
-const Axis ahead;
+const Outlook ahead;
 const Xyz none{nan, nan, nan};
 
 /// A picture of a wall at 2 m, but for the columns in which something else is seen.
@@ -43,9 +43,9 @@ struct Lost : Remembered {
   explicit Lost(bool stands = false) {
     for (std::size_t i = 0; i < 10; ++i) lost.push_back(spot_at(75 + i, stands));
   }
-  std::size_t left_after(const Shown& shown, const Axis& axis = ahead, bool floor_is_seen = false) {
+  std::size_t left_after(const Shown& shown, const Outlook& outlook = ahead, bool floor_is_seen = false) {
     const std::vector<std::size_t> floor_rows;
-    forgive(*this, shown.picture(), {[=](std::size_t) { return floor_is_seen; }, floor_rows}, axis);
+    forgive(*this, shown.picture(), {[=](std::size_t) { return floor_is_seen; }, floor_rows}, {outlook, {}});
     return lost.size();
   }
 };
@@ -92,11 +92,11 @@ TEST(Forgiving, WhatHidesItSaysNothing) {
   for (int i = 0; i < 20; ++i) EXPECT_EQ(thing.left_after(wall.with(70, 90, {0.0f, 0.0f, 0.2f})), 10u);
 }
 
-TEST(Forgiving, ACameraThatLooksElsewhereSaysNothing) {
+TEST(Forgiving, ACameraThatLooksElsewhereSaysNothingOfWhatLiesNobodyKnowsWhere) {
   Lost thing;
   const Shown nothing = wall.with(70, 90, none);
   ASSERT_EQ(thing.left_after(nothing), 10u);
-  const Axis left{{-0.1f, 0.0f, 0.995f}, {0.995f, 0.0f, 0.1f}};
+  const Outlook left({}, Placement{{{{0.995f, 0, -0.1f, 0}, {0, 1, 0, 0}, {0.1f, 0, 0.995f, 0}}}});
   for (int i = 0; i < 20; ++i) EXPECT_EQ(thing.left_after(wall, left), 10u);
   EXPECT_EQ(thing.left_after(wall), 0u);
 }

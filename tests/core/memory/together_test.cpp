@@ -152,7 +152,15 @@ Placement panned(float angle) {
   return place;
 }
 
-TEST(Together, CameraThatLooksElsewhereSaysNothingOfWhatIsLost) {
+/// What is 0.38 m ahead and 0.2 m wide, before a camera that looks so far to the right.
+Board seen_aside(float angle) {
+  const auto slant = [=](float x) {
+    return (x * std::cos(angle) - 0.38f * std::sin(angle)) / (x * std::sin(angle) + 0.38f * std::cos(angle));
+  };
+  return {0.3f, 0.3f * slant(-0.1f), 0.3f * slant(0.1f), -0.15f, 0.08f};
+}
+
+TEST(Together, CameraThatLooksElsewhereDoesNotSeeThatWhatIsLostHasGone) {
   Settings settings;
   settings.target_frame = "base_link";
   for (const float angle : {0.15f, 0.3f, 0.45f}) {
@@ -163,9 +171,10 @@ TEST(Together, CameraThatLooksElsewhereSaysNothingOfWhatIsLost) {
       return control.decide(scene.view(), Origin{now, panned(pan)}, Instant{now, now});
     };
     const Scene near({{0.45f, -0.1f, 0.1f, -0.2f, 0.1f}, wall}), blind({{0.38f, -0.1f, 0.1f, -0.2f, 0.1f}, wall});
+    const Scene aside({seen_aside(angle), wall});
     for (int i = 0; i < 5; ++i) sees(near, 0.0f);
     sees(blind, 0.0f);
-    for (int i = 0; i < 10; ++i) EXPECT_EQ(sees(Scene({wall}), angle).speed, 0.0) << angle << ", " << i;
+    for (int i = 0; i < 10; ++i) EXPECT_EQ(sees(aside, angle).speed, 0.0) << angle << ", " << i;
     for (int i = 0; i < 10; ++i) EXPECT_EQ(sees(blind, 0.0f).speed, 0.0) << angle << ", " << i;
     Decision decision;
     for (int i = 0; i < 20; ++i) decision = sees(Scene({wall}), 0.0f);
