@@ -4,37 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from boxes import picture, placing
 
 from safety_control_cloud import core
 
-WIDTH, HEIGHT, HALF_VIEW = 160, 120, np.radians(30)
-RANGE = (0.4, 5.0)  # [m]
 CAMERA = np.array([-0.087, 0.0, 0.2972])  # [m] in base_footprint
 RATE, AFTER = 20.0, 1.0  # [Hz], and [s] for which the head rests before and after it turns
 ROOM = ((3.0, 3.1, -3.0, 3.0, 0.0, 2.5), (-3.0, 3.0, 3.0, 3.1, 0.0, 2.5), (-3.0, 3.0, -3.1, -3.0, 0.0, 2.5))
-
-
-def placing(pan: float) -> np.ndarray:
-    """(3, 4) of the optical frame in base_footprint."""
-    c, s = np.cos(pan), np.sin(pan)
-    return np.column_stack([np.array([[s, 0, c], [-c, 0, s], [0, -1, 0]]), CAMERA])
-
-
-def picture(camera: np.ndarray, boxes: tuple, random: np.random.Generator) -> np.ndarray:
-    """(height, width, 3) [m] what is seen of boxes (x, x, y, y, z, z) and of the floor."""
-    focal = WIDTH / 2 / np.tan(HALF_VIEW)
-    columns, rows = np.meshgrid(np.arange(WIDTH) - (WIDTH - 1) / 2, np.arange(HEIGHT) - (HEIGHT - 1) / 2)
-    rays = np.stack([columns / focal, rows / focal, np.ones_like(rows)], axis=-1)
-    ways = rays @ camera[:, :3].T
-    with np.errstate(divide="ignore", invalid="ignore"):
-        depth = np.where(ways[..., 2] < 0, -camera[2, 3] / ways[..., 2], np.inf)
-        for box in boxes:
-            sides = (np.reshape(box, (3, 2)) - camera[:, 3:])[None, None] / ways[..., None]
-            enters, leaves = sides.min(axis=-1).max(axis=-1), sides.max(axis=-1).min(axis=-1)
-            depth = np.where((enters <= leaves) & (enters > 0), np.minimum(depth, enters), depth)
-    depth *= 1 + random.normal(0, 5e-4, depth.shape)
-    depth[(depth <= RANGE[0]) | (depth >= RANGE[1])] = np.nan
-    return (rays * depth[..., None]).astype(np.float32)
 
 
 SETTINGS = core.Settings(mode="drive", target_frame="base_footprint", bottom=0.05, top=0.55, left=0.3, right=0.3)
@@ -50,7 +26,7 @@ def test_the_robot_stands_for_a_post_from_which_the_head_turns_away(ahead, degre
     turning = abs(degrees) / degrees_per_second
     for now in np.arange(0.0, 2 * AFTER + turning, 1 / RATE):
         pan = np.radians(degrees) * np.clip((now - AFTER) / turning, 0.0, 1.0)
-        decision = control.decide(picture(placing(pan), (post, *ROOM), random), now=now, camera=placing(pan))
+        decision = control.decide(picture(placing(CAMERA, pan), (post, *ROOM), random), now=now, camera=placing(CAMERA, pan))
         if now > 0.3:
             assert decision.speed == 0.0, f"after {now:.2f} s, at {np.degrees(pan):.0f} degrees: {decision.reason}"
 
@@ -69,7 +45,7 @@ def test_what_the_head_passed_over_frees_the_robot_once_it_has_gone(thing, degre
         pan = np.radians(degrees) * np.clip(min(there, 2 - back), 0.0, 1.0)
         ahead = max(0.3, 0.7 - now) + 0.6 * max(0.0, now - leaves)
         box = (ahead, ahead + 0.2, -width / 2, width / 2, bottom, top)
-        decision = control.decide(picture(placing(pan), (box, *ROOM), random), now=now, camera=placing(pan))
+        decision = control.decide(picture(placing(CAMERA, pan), (box, *ROOM), random), now=now, camera=placing(CAMERA, pan))
         if 0.4 < now <= leaves:
             assert decision.speed == 0.0, f"after {now:.2f} s, at {np.degrees(pan):.0f} degrees: {decision.reason}"
     assert decision.speed > 0.0, decision.reason
