@@ -134,6 +134,7 @@ Look GuardSensor::take(const Reading& reading, const Origin& origin, const Outlo
   const Heights heights{own_.frame_corridor.bottom, own_.frame_corridor.top};
   const Horizon horizon = scan ? Horizon(outlook, *scan, heights) : Horizon(outlook, field, heights);
   collected_ = Collected::Now;
+  ++looks_;
   taken_ = Taken{now,
                  on_its_way,
                  scan ? scan->lasts : 0.0,
@@ -146,7 +147,7 @@ Look GuardSensor::take(const Reading& reading, const Origin& origin, const Outlo
   const double measures_from =
       scan ? std::max(least_of_scan, scan->range_min + beyond_range_min) : own_.near_loss.blind_range + least_beyond;
   const double may_last = on_its_way > long_on_its_way ? std::max(on_its_way, taken_->lasts) : taken_->lasts;
-  return {reading, view, outlook, stamp, measures_from, may_last};
+  return {reading, view, outlook, stamp, measures_from, may_last, looks_};
 }
 
 double GuardSensor::taken_at(const Origin& origin, const Instant& now) const {

@@ -130,6 +130,7 @@ class GuardSensor {
   bool was_sound_ = false;              ///< nothing but what it cannot see any more speaks against it
   std::optional<double> last_arrival_;  ///< [s] steady
   double last_taken_ = 0.0;             ///< [s] ROS
+  std::size_t looks_ = 0;               ///< that were taken
   std::optional<Doubt> outside_;
 };
 

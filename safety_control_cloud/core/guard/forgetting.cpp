@@ -44,9 +44,10 @@ bool Forgetting::has_gone(RememberedPlace& place) {
   const Asked asked{here, from_camera(here, place.z), range, off};
   const AtPlace seen = is_asked_of(place) ? seen_of(place, asked) : AtPlace::NotThere;
   const bool is_known = place.off + since <= well_known;
-  if (is_known && seen == AtPlace::ShownFar) {
+  if (is_known && seen == AtPlace::ShownOnly) {
     renew(place, looks_.latest(), since);
     place.last_seen = now_;
+    place.looks = believed;  // that which kept it, and this one
   }
   if (is_known && seen == AtPlace::NotThere && grows_old(place) && seen_at_.goes_on_in_picture(asked.there))
     keep_with_what_is_shown(place, since);
@@ -114,8 +115,8 @@ void Forgetting::keep_with_what_is_shown(RememberedPlace& place, double off) con
 /// things return from one side only. Another one that does not look there speaks neither for that nor against it.
 bool Forgetting::is_proven(RememberedPlace& place, AtPlace seen, bool is_measured) const {
   const bool tells_nothing = seen == AtPlace::NotThere || (seen == AtPlace::Nothing && !is_measured);
-  if (tells_nothing || seen == AtPlace::ShownFar) {
-    if (seen == AtPlace::ShownFar || (place.absent && place.absent->sensor == sensor_)) place.absent.reset();
+  if (tells_nothing || seen == AtPlace::ShownOnly) {
+    if (seen == AtPlace::ShownOnly || (place.absent && place.absent->sensor == sensor_)) place.absent.reset();
     return false;
   }
   if (seen == AtPlace::Shown) return true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "../input/reading.hpp"
@@ -15,9 +16,10 @@ struct Look {
   const Reading& reading;
   View view;
   Outlook outlook;
-  double stamp;          ///< [s] ROS time, of when it was taken
-  double measures_from;  ///< [m] from here on, what is there returns
-  double lasts = 0.0;    ///< [s] from its stamp on in which its returns may have been taken
+  double stamp;            ///< [s] ROS time, of when it was taken
+  double measures_from;    ///< [m] from here on, what is there returns
+  double lasts = 0.0;      ///< [s] from its stamp on in which its returns may have been taken
+  std::size_t number = 0;  ///< of the sensor's looks
 };
 
 /// Which returns are near.
@@ -44,8 +46,11 @@ struct NearReturn {
 std::size_t rows_apart(std::size_t height);
 std::size_t columns_apart(std::size_t width);
 
-/// The near returns of a look, or of every n-th row and column of a larger picture, with the robot at `pose` when it
-/// began. It went on by `meanwhile`, so that each beam of a scan has a place of its own, in their order.
+/// Which rows those are, and between some of them, others in each look, one more: something thin may lie there.
+std::vector<std::size_t> rows_looked_at(std::size_t height, std::size_t number_of_look);
+
+/// The near returns of a look, or of some rows and every n-th column of a larger picture, with the robot at `pose` when
+/// it began. It went on by `meanwhile`, so that each beam of a scan has a place of its own, in their order.
 std::vector<NearReturn> near_returns(const Look& look, const Vicinity& vicinity, const Pose2& pose,
                                      const Pose2& meanwhile);
 

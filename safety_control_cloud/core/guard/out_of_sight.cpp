@@ -16,7 +16,7 @@ namespace {
 
 constexpr double cell = 0.015, layer = 0.1;   ///< [m] across and up
 constexpr std::size_t most = 30000;           ///< places
-constexpr std::size_t most_of_a_look = 8560;  ///< of these: of a scan with more beams, the last are not kept
+constexpr std::size_t most_of_a_look = 9630;  ///< of these: of a scan with more beams, the last are not kept
 constexpr double kept_share = 0.75;           ///< of them where there are too many
 /// [m] Places are told apart by these; what may be off by more than the last is as the one that is off the most.
 constexpr std::array<double, 12> displaced = {0.015, 0.02, 0.03, 0.045, 0.07, 0.12, 0.2, 0.3, 0.45, 0.7, 1.0, 1.5};

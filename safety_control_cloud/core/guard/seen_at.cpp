@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "seen_at.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -28,7 +29,7 @@ class Around {
     ++pixels_;
     all_returned_ = all_returned_ && returned;
     none_before_ = none_before_ && !(returned && seen < distance_ - tolerance_);
-    if (!(returned && std::abs(seen - distance_) <= tolerance_)) return;
+    if (!(returned && is_there(seen))) return;
     ++there_;
     seen_there_ += seen;
   }
@@ -40,6 +41,7 @@ class Around {
   }
   /// How far what is there lies, in the mean, as a share of the distance that was asked about.
   double share() const { return seen_there_ / (there_ * distance_); }
+  bool is_there(double seen) const { return std::abs(seen - distance_) <= tolerance_; }
 
  private:
   double distance_, tolerance_;  ///< [m]
@@ -48,6 +50,19 @@ class Around {
   int pixels_ = 0, there_ = 0;
   double seen_there_ = 0.0;  ///< [m] in sum
 };
+
+/// Whether what is there shows in a pixel too that is looked at: of those around this one, the nearest.
+bool is_looked_at(const Pixels& pixels, const std::vector<std::size_t>& rows, std::size_t row, std::size_t column,
+                  const Around& around) {
+  const auto below = std::upper_bound(rows.begin(), rows.end(), row);
+  const std::size_t apart = columns_apart(pixels.width()), left = column - column % apart;
+  const auto shows = [&](std::size_t r, std::size_t c) {
+    const Point seen = c < pixels.width() ? pixels.at(r, c) : Point(0.0f, 0.0f, NAN);
+    return returned(seen) && around.is_there(seen.z);
+  };
+  const auto is_in = [&](std::size_t r) { return shows(r, left) || (left != column && shows(r, left + apart)); };
+  return is_in(*(below - 1)) || (*(below - 1) != row && below != rows.end() && is_in(*below));
+}
 
 float range_min_of(const Reading& reading) {
   return std::holds_alternative<ScanView>(reading) ? std::numeric_limits<float>::lowest() : 0.0f;
@@ -78,7 +93,9 @@ SeenAt::SeenAt(const Look& look, const Vicinity& vicinity)
       vicinity_(vicinity),
       pixels_(look.view, range_min_of(look.reading)),
       picture_(picture_in(look.reading, look.view)),
-      scan_(std::get_if<ScanView>(&look.reading)) {}
+      scan_(std::get_if<ScanView>(&look.reading)) {
+  if (picture_) rows_ = rows_looked_at(pixels_.height(), look.number);
+}
 
 AtPlace SeenAt::operator()(const Point& place, double off, double aside) const {
   if (scan_) return in_scan(place, off, aside);
@@ -92,7 +109,7 @@ AtPlace SeenAt::shown_at(const Point& place) const {
   const Point placed = look_.outlook.placed(place.x, place.y, place.z);
   const Point2 seen{placed.z, -placed.x};
   if (is_own(vicinity_.self, seen.x, seen.y, -placed.y)) return AtPlace::NotThere;
-  return length_of(seen) > vicinity_.distance ? AtPlace::ShownFar : AtPlace::Shown;
+  return length_of(seen) > vicinity_.distance ? AtPlace::ShownOnly : AtPlace::Shown;
 }
 
 /// Through a lens that does not bend its rays.
@@ -155,7 +172,11 @@ AtPlace SeenAt::in_picture(const Point& place, double off) const {
   for (const float z : pixels_.around(static_cast<std::size_t>(r), static_cast<std::size_t>(c)))
     around.add(!std::isnan(z), z);
   const AtPlace answer = around.answer();
-  return answer == AtPlace::Shown ? shown_at(scaled(place, around.share())) : answer;
+  if (answer != AtPlace::Shown) return answer;
+  const AtPlace shown = shown_at(scaled(place, around.share()));
+  const auto at_row = static_cast<std::size_t>(r), at_column = static_cast<std::size_t>(c);
+  const bool is_kept = shown != AtPlace::Shown || is_looked_at(pixels_, rows_, at_row, at_column, around);
+  return is_kept ? shown : AtPlace::ShownOnly;
 }
 
 AtPlace SeenAt::in_scan(const Point& place, double off, double aside) const {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "../input/reading.hpp"
 #include "../look/field_of_view.hpp"
@@ -13,11 +15,11 @@ namespace safety_control_cloud {
 
 /// What a look shows where something is remembered; the more it says of that, the later.
 enum class AtPlace : std::uint8_t {
-  NotThere,  ///< it does not look there, or at something before it, or at a part of the robot
-  Nothing,   ///< it looks there, and nothing returns from it nor before it
-  Behind,    ///< all that returns from around its direction lies behind it
-  ShownFar,  ///< as Shown, but too far from the robot to be kept anew
-  Shown,     ///< most of what returns from around its direction lies where it does, and is kept anew
+  NotThere,   ///< it does not look there, or at something before it, or at a part of the robot
+  Nothing,    ///< it looks there, and nothing returns from it nor before it
+  Behind,     ///< all that returns from around its direction lies behind it
+  ShownOnly,  ///< as Shown, but not kept anew: too far from the robot, or too thin for the rows that are looked at
+  Shown,      ///< most of what returns from around its direction lies where it does, and is kept anew
 };
 
 /// Asks one look about places, in the sensor's own frame. Of what it shows, only returns in the vicinity are kept.
@@ -52,6 +54,7 @@ class SeenAt {
   Pixels pixels_;
   std::optional<FieldOfView> picture_;
   const ScanView* scan_;
+  std::vector<std::size_t> rows_;  ///< of the picture that are looked at
 };
 
 }  // namespace safety_control_cloud

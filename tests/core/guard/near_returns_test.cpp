@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <vector>
 
 #include "robot_with_sensors.hpp"
@@ -47,6 +49,21 @@ TEST(NearReturns, AreThoseOfTheVicinityAndNotOfTheRobotItself) {
   own.self = {{0.4, 0.6, -0.1, 0.1, 0.0, 1.0}};
   EXPECT_TRUE(laser.near(low, {}, {}).empty());
   EXPECT_EQ(laser.near(own, {}, {}).size(), 1u);
+}
+
+/// Such a look takes each sixth row, and some of those midway.
+TEST(NearReturns, NoThreeRowsOfALargePictureAreLeftOutForLong) {
+  for (const std::size_t begun : {0u, 5u}) {
+    std::set<std::size_t> all;
+    for (std::size_t look = begun; look < begun + 8; ++look) {
+      const auto rows = rows_looked_at(480, look);
+      EXPECT_EQ(rows.size(), 90u);
+      EXPECT_TRUE(std::is_sorted(rows.begin(), rows.end()));
+      all.insert(rows.begin(), rows.end());
+    }
+    for (std::size_t row = 0; row < 480; row += 3) EXPECT_EQ(all.count(row), 1u) << row;
+  }
+  EXPECT_EQ(rows_looked_at(240, 0), rows_looked_at(240, 1)) << "which is looked at each third row";
 }
 
 TEST(NearReturns, EachBeamHasItsOwnMoment) {
