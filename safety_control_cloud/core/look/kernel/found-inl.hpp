@@ -28,7 +28,8 @@ struct Walls {
         y_max(all(corridor.y_max)),
         range_min(all(corridor.range_min)) {}
 
-  HWY_INLINE Mask span(const Points& points) const { return hn::And(hn::Ge(points.x, x_min), hn::Le(points.x, x_max)); }
+  HWY_INLINE Mask span(const Points& points) const { return is_within(points.x, x_min, x_max); }
+  HWY_INLINE Mask span_down(const Points& points) const { return is_within(points.y, y_min, y_max); }
 };
 
 HWY_INLINE Mask is_return(const Points& points, const Walls& walls) {
@@ -43,7 +44,7 @@ HWY_INLINE Mask is_return(const Points& points, const Walls& walls) {
 struct Unplaced {
   explicit HWY_INLINE Unplaced(const Outlook&) {}
   HWY_INLINE Points operator()(const Points& points) const { return points; }
-  HWY_INLINE Mask ahead(const Points& placed) const { return hn::Gt(placed.z, all(0.0f)); }
+  HWY_INLINE Mask ahead(Mask some, const Points& placed) const { return those_less(some, all(0.0f), placed.z); }
 };
 
 /// Takes points to the corridor's axes, by the very operations of Placement.
@@ -59,8 +60,8 @@ struct Placed {
     return {along(xx, xy, xz, x0), along(yx, yy, yz, y0), along(zx, zy, zz, z0)};
   }
   /// A far point may have overflowed on its way.
-  HWY_INLINE Mask ahead(const Points& placed) const {
-    return hn::And(hn::Gt(placed.z, all(0.0f)), hn::Lt(placed.z, all(infinity)));
+  HWY_INLINE Mask ahead(Mask some, const Points& placed) const {
+    return those_less(those_less(some, all(0.0f), placed.z), placed.z, all(infinity));
   }
 
  private:
@@ -84,7 +85,7 @@ HWY_INLINE Mask is_too_close(const Points& points, const Walls& walls, bool anyw
   const Mask at_minus_infinity = hn::Eq(points.z, all(-infinity));
   if (anywhere) return at_minus_infinity;
   const Mask x_within = walls.span(points);
-  const Mask y_within = hn::And(hn::Ge(points.y, walls.y_min), hn::Le(points.y, walls.y_max));
+  const Mask y_within = walls.span_down(points);
   const Mask x_maybe = hn::Or(x_within, hn::Not(hn::IsFinite(points.x)));
   const Mask y_maybe = hn::Or(y_within, hn::Not(hn::IsFinite(points.y)));
   return hn::And(at_minus_infinity, hn::And(x_maybe, y_maybe));
@@ -103,10 +104,8 @@ struct Bounds {
         z_max(all(region.z_max)) {}
 
   HWY_INLINE Mask hold(const Points& placed) const {
-    const Mask across = hn::And(hn::Ge(placed.x, x_min), hn::Le(placed.x, x_max));
-    const Mask down = hn::And(hn::Ge(placed.y, y_min), hn::Le(placed.y, y_max));
-    const Mask along = hn::And(hn::Ge(placed.z, z_min), hn::Le(placed.z, z_max));
-    return hn::And(across, hn::And(down, along));
+    const Mask across = is_within(placed.x, x_min, x_max), down = is_within(placed.y, y_min, y_max);
+    return hn::And(across, hn::And(down, is_within(placed.z, z_min, z_max)));
   }
 };
 
@@ -118,9 +117,8 @@ struct Found {
   template <class Placing>
   HWY_INLINE Found(const Points& points, const Walls& walls, const Placing& place) : placed(place(points)) {
     returning = is_return(points, walls);
-    const Mask ahead = hn::And(returning, place.ahead(placed));
-    const Mask between_heights = hn::And(hn::Ge(placed.y, walls.y_min), hn::Le(placed.y, walls.y_max));
-    inside = hn::And(ahead, hn::And(walls.span(placed), between_heights));
+    const Mask ahead = place.ahead(returning, placed);
+    inside = hn::And(ahead, hn::And(walls.span(placed), walls.span_down(placed)));
   }
 };
 

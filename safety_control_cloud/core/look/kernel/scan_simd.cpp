@@ -64,7 +64,7 @@ struct Counting {
     returns.add(hn::RebindMask(Integers(), found.returning));
     inside.add(hn::RebindMask(Integers(), found.inside));
     nearest = hn::IfThenElse(found.inside, hn::Min(nearest, found.placed.z), nearest);
-    lowest = hn::IfThenElse(hn::Lt(points.z, lowest), points.z, lowest);  // Min() drops a NaN on some machines only
+    lowest = lesser(points.z, lowest);
     return found;
   }
 };
