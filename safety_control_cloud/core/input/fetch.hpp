@@ -6,7 +6,8 @@
 
 namespace safety_control_cloud {
 
-constexpr std::size_t cache_line = 64;  ///< [byte]
+constexpr std::size_t cache_line = 64;     ///< [byte]
+constexpr std::size_t memory_page = 4096;  ///< [byte]
 
 /// Asks for a line that will be read in a while, into the outer cache, which can ask for more at once than the inner.
 /// Where nothing lies it does no harm.
@@ -15,15 +16,22 @@ constexpr std::size_t cache_line = 64;  ///< [byte]
 /// The same for the bytes that come up, where a cloud is read from end to end: the processor sees that by itself, but
 /// asks too late, and not across the end of a page.
 [[gnu::always_inline]] inline void fetch_early(const std::uint8_t* from, std::size_t size) {
-  constexpr std::size_t distance = 4096;
+  constexpr std::size_t distance = 6144;
   for (std::size_t i = 0; i < size; i += cache_line) fetch_line(from + distance + i);
 }
 
 /// The same, and those that come up soon into the inner cache.
 [[gnu::always_inline]] inline void fetch_ahead(const std::uint8_t* from, std::size_t size) {
-  constexpr std::size_t distance = 1024;
+  constexpr std::size_t distance = 1536;
   fetch_early(from, size);
   for (std::size_t i = 0; i < size; i += cache_line) __builtin_prefetch(from + distance + i);
+}
+
+/// One line of each page that comes up after those: where a page lies takes the processor as long to find as a line
+/// does to come, and whatever is asked of the page waits for it.
+[[gnu::always_inline]] inline void fetch_pages(const std::uint8_t* from, std::size_t size) {
+  constexpr std::size_t distance = 8192;
+  for (std::size_t i = 0; i < size; i += memory_page) fetch_line(from + distance + i);
 }
 
 }  // namespace safety_control_cloud
