@@ -81,7 +81,7 @@ void Backdrop::note(const Pixels& picture, const Axis& axis, const std::vector<P
   const std::size_t rows = cells_.size() / columns_;
   for (std::size_t row = next_row_; row < rows; row += rows_apart) {
     Cell* const cell = &cells_[row * columns_];
-    if (row + rows_apart < rows) picture.fetch_row(middle(row + rows_apart), step_);
+    if (row + rows_apart < rows) picture.fetch_row(middle(row + rows_apart), step_, middle(0));
     const std::size_t at_row = middle(row);
     for (std::size_t at = middle(0), i = 0; i < columns_; ++i, at += step_) {
       const auto holds_it = [=](const Part& part) { return part.holds(at_row, at); };

@@ -80,14 +80,14 @@ Pixels::Pixels(const View& view, float range_min, const RayHits* hits, const Usu
   around_ = &read_plain_around;
 }
 
-void Pixels::fetch_row(std::size_t row, std::size_t step) const {
-  const std::size_t apart = std::max(cache_line, step * pixel_step_);
-  const std::uint8_t* const first = bytes_ + row * row_step_;
+void Pixels::fetch_row(std::size_t row, std::size_t step, std::size_t from) const {
+  const std::size_t apart = std::max(cache_line, step * pixel_step_), size = (width_ - from) * pixel_step_;
+  const std::uint8_t* const first = bytes_ + row * row_step_ + from * pixel_step_;
   constexpr std::size_t at_once = 4;  // to count takes longer than to ask
   std::size_t at = 0;
-  for (; at + (at_once - 1) * apart < width_ * pixel_step_; at += at_once * apart)
+  for (; at + (at_once - 1) * apart < size; at += at_once * apart)
     for (std::size_t i = 0; i < at_once; ++i) fetch_line(first + at + i * apart);
-  for (; at < width_ * pixel_step_; at += apart) fetch_line(first + at);
+  for (; at < size; at += apart) fetch_line(first + at);
 }
 
 void Pixels::look_along(const RayLines& rays) {

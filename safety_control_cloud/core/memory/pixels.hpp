@@ -54,8 +54,9 @@ class Pixels {
   Point at(std::size_t row, std::size_t column) const { return read_(*this, row, column); }
   /// Every `step`-th pixel of a row, placed, all at once.
   void read(std::size_t row, std::size_t step, const Outlook& outlook, PixelRow& into) const;
-  /// Asks for the bytes of every `step`-th pixel of a row, which will be read soon: by now they may be in no cache.
-  void fetch_row(std::size_t row, std::size_t step) const;
+  /// Asks for the bytes of every `step`-th pixel of a row from one on, which will be read soon: by now they may be in
+  /// no cache.
+  void fetch_row(std::size_t row, std::size_t step, std::size_t from = 0) const;
   /// The same for around(), of a place in the picture.
   void fetch_around(std::size_t row, std::size_t column) const {
     const std::size_t first = row - std::min<std::size_t>(1, row), last = std::min(row + 1, height_ - 1);
