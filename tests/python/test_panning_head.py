@@ -32,7 +32,7 @@ def test_the_robot_stands_for_a_post_from_which_the_head_turns_away(ahead, degre
 
 
 @pytest.mark.parametrize(("degrees", "degrees_per_second"), [(6, 60), (-20, 180), (35, 90)])
-@pytest.mark.parametrize("thing", [(0.4, 0.0, 0.27), (0.4, 0.22, 0.5)], ids=["crate", "board"])
+@pytest.mark.parametrize("thing", [(0.25, 0.0, 0.27), (0.25, 0.22, 0.5)], ids=["crate", "board"])
 def test_what_the_head_passed_over_frees_the_robot_once_it_has_gone(thing, degrees, degrees_per_second):
     """While it moves, parts of the thing come into its picture and leave it again, each as seen on another way."""
     random = np.random.default_rng(0)
@@ -48,4 +48,16 @@ def test_what_the_head_passed_over_frees_the_robot_once_it_has_gone(thing, degre
         decision = control.decide(picture(placing(CAMERA, pan), (box, *ROOM), random), now=now, camera=placing(CAMERA, pan))
         if 0.4 < now <= leaves:
             assert decision.speed == 0.0, f"after {now:.2f} s, at {np.degrees(pan):.0f} degrees: {decision.reason}"
+    assert decision.speed > 0.0, decision.reason
+
+
+def test_what_leaves_the_picture_of_a_fast_head_has_not_vanished():
+    """In a hall in which nothing returns there; else the distance at which it was would count as blind from then on."""
+    random = np.random.default_rng(0)
+    control = core.SafetyControl(SETTINGS)
+    board = (0.9, 1.1, -0.15, 0.15, 0.3, 0.5)
+    looks = [(0, True)] * 20 + [(20, True), (40, True)] + [(60, False)] * 10 + [(30, False)] + [(0, False)] * 20
+    for i, (degrees, is_there) in enumerate(looks):
+        camera = placing(CAMERA, np.radians(degrees))
+        decision = control.decide(picture(camera, (board,) if is_there else (), random), now=i / RATE, camera=camera)
     assert decision.speed > 0.0, decision.reason

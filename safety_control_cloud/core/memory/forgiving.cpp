@@ -2,6 +2,7 @@
 #include "forgiving.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -15,6 +16,10 @@ namespace {
 /// Nearly all of a thing, and a small part of one.
 constexpr double nearly = 0.85, few = 0.25;
 
+constexpr float straight = 0.05f;  ///< sine of the angle by which a camera may look past the corridor's end, 3 degrees
+constexpr double as_high = 0.09;   ///< [rad] 5 degrees: what it would not see if it never tilted lies farther beyond
+constexpr float still = 0.0053f;   ///< [rad] by which a camera that rests may turn from one picture to the next
+
 /// What is left of a thing when most of it has gone: which of it is seen past by now, and where a hole is [m2].
 struct Rest {
   double size = 0.0, past = 0.0, blank = 0.0;
@@ -26,8 +31,8 @@ struct Rest {
 class Forgiving {
  public:
   Forgiving(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Gaze& gaze)
-      : thing_(thing), picture_(picture), floor_(floor) {
-    turn_to(gaze);
+      : thing_(thing), picture_(picture), floor_(floor), gaze_(gaze), clouds_to_count_(gaze.has_turned ? 2 : 1) {
+    turn_to_gaze();
     std::vector<Spot> seen_past, standing;
     said_.reserve(thing.lost.size());
     for (std::size_t i = 0; i < thing.lost.size(); ++i) {
@@ -61,8 +66,10 @@ class Forgiving {
     std::vector<Spot>& lost = thing_.lost;
     for (const std::size_t i : not_seen_past_)
       if (between_rays_ || is_a_hole(i)) rest_with(lost[i]).blank += double{lost[i].share};
-    const auto goes_along = [this](const Spot& spot) { return !rest_with(spot).is_a_hole(); };
-    lost.erase(std::remove_if(lost.begin(), lost.end(), goes_along), lost.end());
+    std::size_t staying = 0;
+    for (std::size_t i = 0; i < lost.size(); ++i)
+      if (will_be_asked(i) || rest_with(lost[i]).is_a_hole()) lost[staying++] = lost[i];
+    lost.resize(staying);
   }
 
  private:
@@ -75,16 +82,27 @@ class Forgiving {
     std::optional<TurnedSpot> turned{};  ///< none: the picture says nothing of it
   };
 
-  void turn_to(const Gaze& gaze) {
-    const auto is_elsewhere = [&](const Spot& spot) { return !are_same(*spot.axis, gaze.axis, same_axis); };
+  void turn_to_gaze() {
+    const auto is_elsewhere = [&](const Spot& spot) { return !are_same(*spot.axis, gaze_.axis, same_axis); };
     for (Spot& spot : thing_.lost)
-      if (!spot.axis) spot.axis = gaze.axis;
+      if (!spot.axis) spot.axis = gaze_.axis;
     if (std::none_of(thing_.lost.begin(), thing_.lost.end(), is_elsewhere)) return;
     for (const Spot& spot : thing_.lost) {
       elsewhere_.push_back({is_elsewhere(spot)});
-      if (elsewhere_.back().is_so) elsewhere_.back().turned = turned_spot(spot, gaze, picture_);
+      if (elsewhere_.back().is_so) elsewhere_.back().turned = turned_spot(spot, gaze_, picture_);
     }
   }
+
+  /// Of such a spot the picture says nothing, whatever has become of the others.
+  bool is_out_of_sight(std::size_t i) const { return is_elsewhere(i) && !(turned(i) && turned(i)->is_whole); }
+  /// Once the camera looks there again. As it was when it turned it may never look again; and one that looks down the
+  /// corridor shows all that it would show if it never turned.
+  bool will_be_asked(std::size_t i) const {
+    if (!is_out_of_sight(i) || thing_.lost[i].turning > still) return false;
+    const auto beyond = above_or_below(thing_.lost[i], gaze_, picture_);
+    return !looks_ahead() || !beyond || *beyond > as_high;
+  }
+  bool looks_ahead() const { return std::abs(gaze_.axis.ahead[0]) < straight && gaze_.axis.ahead[2] > 0.0f; }
 
   bool is_elsewhere(std::size_t i) const { return !elsewhere_.empty() && elsewhere_[i].is_so; }
   const TurnedSpot* turned(std::size_t i) const {
@@ -102,8 +120,11 @@ class Forgiving {
   }
 
   Fate fate_of(std::size_t i) {
-    if (is_elsewhere(i) && !turned(i)) return Fate::Apart;
     Spot& spot = thing_.lost[i];
+    if (is_out_of_sight(i)) {
+      if (!will_be_asked(i)) leaving_ += double{spot.share};
+      return Fate::Apart;
+    }
     if (spot.lost_for < floor_.after) ++spot.lost_for;
     const bool is_past = said_[i] == Evidence::Past && !between_rays_;
     if (is_past && may_have_left(i) && !shows_floor_below(i)) {
@@ -117,11 +138,7 @@ class Forgiving {
     return Fate::Goes;
   }
 
-  /// At the picture's upper border, as what comes nearer does, or since it is not known just where it lies.
-  bool may_have_left(std::size_t i) const {
-    if (turned(i) && !turned(i)->is_whole) return true;
-    return !thing_.is_seen() && leaves_at_the_top(shown(i), picture_);
-  }
+  bool may_have_left(std::size_t i) const { return !thing_.is_seen() && leaves_at_the_top(shown(i), picture_); }
 
   /// As a thing that is seen; what comes nearer while a part of it is seen is that thing itself.
   bool is_seen_again(std::size_t i) const {
@@ -142,7 +159,7 @@ class Forgiving {
   /// `i`: which of the lost it will be.
   void note_staying(const Spot& spot, std::size_t i) {
     if (&rest_with(spot) != &rest_) rest_with(spot).size += double{spot.share};
-    if (spot.seen_past > 0) {
+    if (spot.seen_past >= clouds_to_count_) {
       rest_with(spot).past += double{spot.share};
     } else {
       not_seen_past_.push_back(i);
@@ -154,6 +171,8 @@ class Forgiving {
   Remembered& thing_;
   const Pixels& picture_;
   const NearFloor& floor_;
+  const Gaze& gaze_;
+  const unsigned clouds_to_count_;    ///< that show something behind a spot, for the rest of the thing to go with it
   std::vector<Evidence> said_;        ///< of each of the lost
   std::vector<Elsewhere> elsewhere_;  ///< of each of the lost; empty if none is
   bool between_rays_ = false, floor_between_ = false;

@@ -30,7 +30,9 @@ struct NearFloor {
 ///   floor is seen again in its column. If the camera looks elsewhere than when it was seen, it is looked for where the
 ///   picture shows its place by now (turned.hpp); of what lies beside the picture that says nothing.
 /// - Once nearly all has gone or is seen past, the rest goes too, at once, unless most of that is a hole: something
-///   smaller may have gone out of sight together with it. What hung goes by itself.
+///   smaller may have gone out of sight together with it. What hung goes by itself, and what the picture does not show
+///   stays, but for what a camera that looks down the corridor would not show if it never turned. The picture of a
+///   camera that turns at times is believed once a second one says so.
 /// - Of a cloud that is not organised the picture is a raster, in which what is thin leaves no hole: it is not seen
 ///   past while nothing may return on the rays that it would take.
 /// - What leaves the picture at its upper border, within the corridor, is not seen to go by what is seen below it.

@@ -11,6 +11,7 @@ struct Gaze {
   Outlook outlook;
   RayLines rays;
   Axis axis;
+  bool has_turned = false;  ///< ever: TF may be a picture late as it turns again
 
   Gaze(const Outlook& look, const RayLines& lines) : outlook(look), rays(lines), axis(axis_of(look)) {}
 };

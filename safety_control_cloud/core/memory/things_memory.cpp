@@ -45,6 +45,7 @@ void append(std::vector<Spot>& all, std::vector<Spot> some, double size) {
 
 /// While a camera turns, its picture says of nothing that it has gone, but of what is seen again that it is not lost.
 void drop_what_is_seen(std::vector<Spot>& lost, const Gaze& gaze, float turning, const Pixels& picture) {
+  for (Spot& spot : lost) spot.seen_past = 0;
   const auto is_seen = [&](const Spot& spot) {
     const auto turned = turned_spot(spot, gaze, picture, turning);
     return turned && is_there(*turned, picture);
@@ -71,19 +72,21 @@ void ThingsMemory::scale_sizes(double by) {
 }
 
 void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor,
-                          const Backdrop& backdrop, float near, const Gaze& gaze) {
+                          const Backdrop& backdrop, float near, Gaze gaze) {
   const float turning = turning_to(gaze.axis);
   auto before = follow(std::move(seen), near, turning);
   for (std::size_t i = 0; i < things_.size(); ++i) lose(things_[i], std::move(before[i]));
   unlearn_blind_range();
   const bool rest = !axis_ || are_same(*axis_, gaze.axis, rests);
+  has_turned_ = has_turned_ || !rest;
+  gaze.has_turned = has_turned_;
   std::optional<std::vector<Backdrop::Place>> hidden;  // asked for once, if at all
   const auto follow_hole = [&](Remembered& thing) {
     if (!hidden) hidden = backdrop.hidden_in(picture);
     stay_in_hole(thing, thing.moved->spots_in(*hidden, backdrop.pixels_each(), picture.width()));
   };
   for (Remembered& thing : things_) {
-    note_vanished(thing, picture, near);
+    note_vanished(thing, picture, near, rest);
     if (!rest) drop_what_is_seen(thing.lost, gaze, turning, picture);
     if (!rest || thing.lost.empty()) continue;
     if (thing.moved) {
@@ -93,8 +96,10 @@ void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const 
     const auto hanging = nearest_hanging(thing.lost);
     const double size = thing.freed + size_of(thing.lost);
     forgive(thing, picture, floor, gaze);
-    if (hanging && thing.lost.empty() && !thing.is_seen()) thing.moved = Moved{*hanging, size};
-    if (thing.moved) follow_hole(thing);
+    const bool may_have_moved = hanging && thing.lost.empty() && !thing.is_seen() && backdrop.looks_along(gaze.axis);
+    if (!may_have_moved) continue;
+    thing.moved = Moved{*hanging, size};
+    follow_hole(thing);
   }
   axis_ = gaze.axis;
   drop_empty();
@@ -142,15 +147,16 @@ void ThingsMemory::forget_old(const Patience& patience) {
   }
 }
 
-/// Of what is farther away than near, keeps what has vanished in mid-air.
-void ThingsMemory::note_vanished(Remembered& thing, const Pixels& picture, float near) {
+/// Of what is farther away than near, keeps what has vanished in mid-air. What leaves the picture of a camera that
+/// turns has not: it may be far from its border before.
+void ThingsMemory::note_vanished(Remembered& thing, const Pixels& picture, float near, bool resting) {
   if (thing.vanished) return;
   float nearest = std::numeric_limits<float>::infinity();
   for (const Spot& spot : thing.lost) nearest = std::min(nearest, spot.point.z);
   const bool fair = thing.size * fair_share >= 1.0 * nearest * nearest * static_cast<double>(picture.height()) /
                                                    static_cast<double>(picture.width());
   const bool may_vanish =
-      !thing.is_seen() && nearest >= near && thing.clouds >= clouds_to_go && !thing.at_border && fair;
+      resting && !thing.is_seen() && nearest >= near && thing.clouds >= clouds_to_go && !thing.at_border && fair;
   thing.vanished = may_vanish && blank_in(thing.lost, picture) >= 0.95 * thing.size;
   if (thing.vanished) {
     blind_range_ = std::max(blind_range_, nearest);

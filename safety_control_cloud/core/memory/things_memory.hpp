@@ -29,7 +29,7 @@ class ThingsMemory {
  public:
   /// Nearer than `near` [m] ahead of the camera is near.
   void update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor, const Backdrop& backdrop,
-              float near, const Gaze& gaze);
+              float near, Gaze gaze);
   /// In a picture most of which returns nothing, only what is seen counts: what is not may be there all the same.
   void update_by_little(std::vector<Thing> seen, const Pixels& picture, float near, const Axis& axis);
   /// Drops what has been lost for too long, and nothing else.
@@ -60,13 +60,14 @@ class ThingsMemory {
   std::vector<Thing> follow(std::vector<Thing> seen, float near, float turning);
   static void lose(Remembered& thing, Thing before);
   static void stay_in_hole(Remembered& thing, std::vector<Spot> spots);
-  void note_vanished(Remembered& thing, const Pixels& picture, float near);
+  void note_vanished(Remembered& thing, const Pixels& picture, float near, bool resting);
   void unlearn_blind_range();
   void drop_empty();
 
   std::vector<Remembered> things_;
   float blind_range_ = 0.0f;
   std::optional<Axis> axis_;  ///< of the latest picture
+  bool has_turned_ = false;   ///< the camera
 };
 
 }  // namespace safety_control_cloud

@@ -2,6 +2,7 @@
 #include "turned.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace safety_control_cloud {
@@ -9,8 +10,9 @@ namespace {
 
 constexpr double least_off = 0.0175;  // [rad] 1 degree
 constexpr double least_ahead = 0.05;  // [m] of the camera: nearer, directions mean nothing
-/// By how much the camera may be rolled against how it was for a column to show what stood below a spot.
-constexpr float level = 0.05f;
+/// By how much the camera may be rolled against how it was for a column to show what stood below a spot, and tilted for
+/// that to have stood there: what ends with the picture counts as standing, though it may hang right below that.
+constexpr float level = 0.05f, as_low = 0.0175f;
 /// One in so many pixels is asked, of a picture that is `coarse` pixels wide: around each one, so many tell.
 constexpr double asked = 3.0, coarse = 160.0;
 
@@ -18,6 +20,11 @@ constexpr double asked = 3.0, coarse = 160.0;
 struct Position {
   double row, column;
 };
+
+/// Whether it is known where it lies.
+bool is_placed(const Spot& spot, const Gaze& gaze) {
+  return spot.place && spot.axis && gaze.rays.across && gaze.rays.down;
+}
 
 class Turning {
  public:
@@ -52,6 +59,8 @@ class Turning {
     for (int i = 1; i <= down; ++i)
       for (const int side : {-i, i}) add({at.row + off.row * side / down, at.column}, places);
   }
+
+  double rows_beyond(const Position& at) const { return std::max({0.0, -at.row, at.row - last_row()}); }
 
   int steps_of(double pixels) const { return static_cast<int>(std::ceil(std::abs(pixels) / step_)); }
 
@@ -90,7 +99,7 @@ bool shows_what_is_behind(const Spot& spot, const TurnedSpot::Place& place, cons
 }  // namespace
 
 std::optional<TurnedSpot> turned_spot(const Spot& spot, const Gaze& gaze, const Pixels& picture, float turning) {
-  if (!spot.place || !spot.axis || !gaze.rays.across || !gaze.rays.down) return std::nullopt;
+  if (!is_placed(spot, gaze)) return std::nullopt;
   const Turning to(gaze, picture);
   const auto at = to.position_of(*spot.place);
   if (!at) return std::nullopt;
@@ -101,7 +110,10 @@ std::optional<TurnedSpot> turned_spot(const Spot& spot, const Gaze& gaze, const 
   turned.spot.row = static_cast<std::uint16_t>(std::lround(at->row));
   turned.spot.column = static_cast<std::uint16_t>(std::lround(at->column));
   turned.spot.row_shown = turned.spot.column_shown = true;
-  turned.spot.stands = spot.stands && std::abs(spot.axis->right[1] - gaze.axis.right[1]) < level;
+  const auto is_as_before = [&](std::array<float, 3> Axis::*direction, float by) {
+    return std::abs(((*spot.axis).*direction)[1] - (gaze.axis.*direction)[1]) < by;
+  };
+  turned.spot.stands = spot.stands && is_as_before(&Axis::right, level) && is_as_before(&Axis::ahead, as_low);
   to.add_around(*at, off, turned.places);
   Point nearer = *spot.place;
   nearer.z -= static_cast<float>(growth / (1.0 + growth)) * std::max(0.0f, nearer.z - gaze.outlook.camera().z);
@@ -112,6 +124,13 @@ std::optional<TurnedSpot> turned_spot(const Spot& spot, const Gaze& gaze, const 
   for (int i = 1; i <= steps; ++i)
     to.add_around({at->row + down * i / steps, at->column + across * i / steps}, off, turned.places);
   return turned;
+}
+
+std::optional<double> above_or_below(const Spot& spot, const Gaze& gaze, const Pixels& picture) {
+  if (!is_placed(spot, gaze)) return std::nullopt;
+  const Turning to(gaze, picture);
+  const auto at = to.position_of(*spot.place);
+  return at ? std::optional(to.rows_beyond(*at) * std::abs(gaze.rays.down->slope)) : std::nullopt;
 }
 
 Evidence evidence_of(const TurnedSpot& turned, const Pixels& picture) {

@@ -29,6 +29,9 @@ struct TurnedSpot {
 /// `turning` [rad]: by so much the camera has turned from the picture before to this one.
 std::optional<TurnedSpot> turned_spot(const Spot& spot, const Gaze& gaze, const Pixels& picture, float turning = 0.0f);
 
+/// [rad] by which a spot lies above the picture or below it, be it beside that too or not; none if nobody knows.
+std::optional<double> above_or_below(const Spot& spot, const Gaze& gaze, const Pixels& picture);
+
 /// What all of its places say; nothing if they contradict each other, or one of them is a hole.
 Evidence evidence_of(const TurnedSpot& turned, const Pixels& picture);
 

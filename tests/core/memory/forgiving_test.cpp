@@ -45,9 +45,13 @@ struct Lost : Remembered {
   }
   std::size_t left_after(const Shown& shown, const Outlook& outlook = ahead, bool floor_is_seen = false) {
     const std::vector<std::size_t> floor_rows;
-    forgive(*this, shown.picture(), {[=](std::size_t) { return floor_is_seen; }, floor_rows}, {outlook, {}});
+    Gaze gaze(outlook, {});
+    gaze.has_turned = has_turned;
+    forgive(*this, shown.picture(), {[=](std::size_t) { return floor_is_seen; }, floor_rows}, gaze);
     return lost.size();
   }
+
+  bool has_turned = false;  ///< the camera
 };
 
 TEST(Forgiving, WhatIsSeenPastAsAWholeHasGoneAtOnce) {
@@ -98,6 +102,25 @@ TEST(Forgiving, ACameraThatLooksElsewhereSaysNothingOfWhatLiesNobodyKnowsWhere) 
   ASSERT_EQ(thing.left_after(nothing), 10u);
   const Outlook left({}, Placement{{{{0.995f, 0, -0.1f, 0}, {0, 1, 0, 0}, {0.1f, 0, 0.995f, 0}}}});
   for (int i = 0; i < 20; ++i) EXPECT_EQ(thing.left_after(wall, left), 10u);
+  EXPECT_EQ(thing.left_after(wall), 0u);
+}
+
+/// It is asked about once the camera looks there again; what was seen while that turned may never be.
+TEST(Forgiving, WhatThePictureDoesNotShowStaysThoughNearlyAllHasGone) {
+  const Outlook left({}, Placement{{{{0.995f, 0, -0.1f, 0}, {0, 1, 0, 0}, {0.1f, 0, 0.995f, 0}}}});
+  for (const float turning : {0.0f, 0.05f}) {
+    Lost thing;
+    thing.lost[9].axis = axis_of(left);
+    thing.lost[9].turning = turning;
+    for (int i = 0; i < 5; ++i) thing.left_after(wall);
+    EXPECT_EQ(thing.lost.size(), turning == 0.0f ? 1u : 0u);
+  }
+}
+
+TEST(Forgiving, OnePictureOfACameraThatTurnsMayBeOfAnotherDirectionThanItIsSaid) {
+  Lost thing;
+  thing.has_turned = true;
+  EXPECT_EQ(thing.left_after(wall), 10u);
   EXPECT_EQ(thing.left_after(wall), 0u);
 }
 

@@ -78,6 +78,27 @@ TEST(Turned, NothingIsSaidOfWhatLiesBesideThePictureOrNobodyKnowsWhere) {
   EXPECT_FALSE(at_border->is_whole);
 }
 
+TEST(Turned, AboveAndBelowThePictureArePlacesBesideItToo) {
+  Picture picture;
+  const Pixels pixels = picture.pixels();
+  const Gaze aside({looking(0.7), rays});
+  EXPECT_EQ(above_or_below(seen_ahead(), aside, pixels), 0.0);
+  EXPECT_GT(above_or_below(seen_ahead(0.0f, 0.4f), aside, pixels).value(), 0.1);
+  EXPECT_GT(above_or_below(seen_ahead(0.0f, -0.4f), aside, pixels).value(), 0.1);
+  EXPECT_FALSE(above_or_below(seen_ahead(), {looking(3.0), rays}, pixels)) << "behind the camera";
+}
+
+/// What ends with the picture counts as standing.
+TEST(Turned, WhatStoodInATiltedPictureIsNotKnownToStand) {
+  Picture picture;
+  const Pixels pixels = picture.pixels();
+  Spot spot = seen_ahead();
+  spot.stands = true;
+  EXPECT_TRUE(turned_spot(spot, {looking(0.2), rays}, pixels)->spot.stands);
+  spot.axis->ahead = {0.0f, -0.1f, 0.995f};
+  EXPECT_FALSE(turned_spot(spot, {looking(0.2), rays}, pixels)->spot.stands);
+}
+
 TEST(Turned, ItHasGoneWhereAllOfItsPlacesShowWhatIsBehind) {
   const Gaze right({looking(0.2), rays});
   Picture free;
