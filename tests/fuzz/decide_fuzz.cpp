@@ -73,7 +73,8 @@ class World {
   void wait() {
     const Decision decision = one_pass_.without_cloud(now_);
     require_same(decision, pcl_.without_cloud(now_));
-    require_same(decision, by_depth_.without_cloud(now_));
+    const Decision by_depth = by_depth_.without_cloud(now_);
+    if (are_alike_) require_same(decision, by_depth);
     require_safe(decision, one_pass_.settings());
   }
 
@@ -101,25 +102,29 @@ class World {
     const Decision decision = one_pass_.decide(cloud, origin, now_, crop);
     require_same(decision, pcl_.decide(cloud, origin, now_, crop));
     const Decision by_depth = by_depth_.decide(depth, origin, now_, crop);
-    if (is_of_one_size_) require_same(decision, by_depth);
+    are_alike_ = are_alike_ && is_of_one_size_ && is_lost(decision) == is_lost(by_depth);
+    if (are_alike_) require_same(decision, by_depth);
     require_safe(by_depth, by_depth_.settings());
     require_safe(decision, one_pass_.settings());
     return decision;
   }
 
-  /// Where in a picture of another size lies what is remembered, a depth image tells at once, and a cloud only by
-  /// enough returns: one may stand for what the other still sees.
+  /// Where in a picture lies what is remembered, of another size or after it was blind, a depth image tells at once,
+  /// and a cloud only by enough returns: one may stand for what the other still sees, or has seen to go.
   void note_size(const Depths& picture) {
     const bool is_first = width_ == 0 && height_ == 0;
     is_of_one_size_ = is_of_one_size_ && (is_first || (picture.width == width_ && picture.height == height_));
     width_ = picture.width, height_ = picture.height;
   }
 
+  static bool is_lost(const Decision& decision) { return decision.cause == Cause::NearLoss; }
+
   std::array<SafetyControl*, 3> all() { return {&one_pass_, &pcl_, &by_depth_}; }
 
   SafetyControl one_pass_, pcl_, by_depth_;
   std::size_t width_ = 0, height_ = 0;  ///< of the latest picture
   bool is_of_one_size_ = true;          ///< all that have been seen
+  bool are_alike_ = true;               ///< the cloud and the depth image, all that have been seen
   Shown shown_;
   Instant now_{100.0, 1000.0};
 };
