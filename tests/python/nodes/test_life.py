@@ -51,7 +51,7 @@ def test_a_node_that_is_asked_to_end_as_it_publishes_ends(number):
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_node_that_waits_for_a_master_ends_with_a_line(number, monkeypatch):
     monkeypatch.setitem(os.environ, "ROS_MASTER_URI", "http://localhost:1/")
-    with process([sys.executable, "-c", NODE]) as node:
+    with process([sys.executable, "-u", "-c", NODE]) as node:
         eventually(lambda: "Unable to register with master node [http://localhost:1/]" in node.output())
         node.send(number)
         assert node.wait(20.0) == 128 + number
