@@ -32,5 +32,7 @@ inline bool are_same(const Axis& a, const Axis& b, float least) { return cosine_
 
 /// Cosine: by so much, 1 degree, a camera may have turned for its picture to show the same places.
 constexpr float same_axis = 0.99985f;
+/// [rad] By so much, 0.3 degrees, a camera that rests may turn from one picture to the next.
+constexpr float still = 0.0053f;
 
 }  // namespace safety_control_cloud

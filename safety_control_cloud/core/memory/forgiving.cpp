@@ -18,7 +18,6 @@ constexpr double nearly = 0.85, few = 0.25;
 
 constexpr float straight = 0.05f;  ///< sine of the angle by which a camera may look past the corridor's end, 3 degrees
 constexpr double as_high = 0.09;   ///< [rad] 5 degrees: what it would not see if it never tilted lies farther beyond
-constexpr float still = 0.0053f;   ///< [rad] by which a camera that rests may turn from one picture to the next
 
 /// What is left of a thing when most of it has gone: which of it is seen past by now, and where a hole is [m2].
 struct Rest {
@@ -79,7 +78,8 @@ class Forgiving {
   /// Of a spot that was seen when the camera looked elsewhere.
   struct Elsewhere {
     bool is_so = false;
-    std::optional<TurnedSpot> turned{};  ///< none: the picture says nothing of it
+    std::optional<TurnedSpot> turned{};  ///< whole; none: the picture says nothing of it, whatever the others do
+    bool will_be_asked = false;          ///< once the camera looks there again; if not, it may go along
   };
 
   void turn_to_gaze() {
@@ -87,24 +87,21 @@ class Forgiving {
     for (Spot& spot : thing_.lost)
       if (!spot.axis) spot.axis = gaze_.axis;
     if (std::none_of(thing_.lost.begin(), thing_.lost.end(), is_elsewhere)) return;
-    for (const Spot& spot : thing_.lost) {
-      elsewhere_.push_back({is_elsewhere(spot)});
-      if (elsewhere_.back().is_so) elsewhere_.back().turned = turned_spot(spot, gaze_, picture_);
-    }
+    for (const Spot& spot : thing_.lost) elsewhere_.push_back(is_elsewhere(spot) ? looked_for(spot) : Elsewhere{});
   }
 
-  /// Of such a spot the picture says nothing, whatever has become of the others.
-  bool is_out_of_sight(std::size_t i) const { return is_elsewhere(i) && !(turned(i) && turned(i)->is_whole); }
-  /// Once the camera looks there again. As it was when it turned it may never look again; and one that looks down the
-  /// corridor shows all that it would show if it never turned.
-  bool will_be_asked(std::size_t i) const {
-    if (!is_out_of_sight(i) || thing_.lost[i].turning > still) return false;
-    const auto beyond = above_or_below(thing_.lost[i], gaze_, picture_);
-    return !looks_ahead() || !beyond || *beyond > as_high;
+  /// What was seen as the camera turned may never be looked at so again; and one that looks down the corridor shows all
+  /// that it would show if it never turned.
+  Elsewhere looked_for(const Spot& spot) const {
+    auto turned = turned_spot(spot, gaze_, picture_);
+    if (turned && turned->is_whole) return {true, std::move(turned)};
+    const bool looks_ahead = std::abs(gaze_.axis.ahead[0]) < straight && gaze_.axis.ahead[2] > 0.0f;
+    const auto beyond = above_or_below(spot, gaze_, picture_);
+    return {true, std::nullopt, spot.turning <= still && (!looks_ahead || !beyond || *beyond > as_high)};
   }
-  bool looks_ahead() const { return std::abs(gaze_.axis.ahead[0]) < straight && gaze_.axis.ahead[2] > 0.0f; }
 
   bool is_elsewhere(std::size_t i) const { return !elsewhere_.empty() && elsewhere_[i].is_so; }
+  bool will_be_asked(std::size_t i) const { return is_elsewhere(i) && elsewhere_[i].will_be_asked; }
   const TurnedSpot* turned(std::size_t i) const {
     return is_elsewhere(i) && elsewhere_[i].turned ? &*elsewhere_[i].turned : nullptr;
   }
@@ -121,7 +118,7 @@ class Forgiving {
 
   Fate fate_of(std::size_t i) {
     Spot& spot = thing_.lost[i];
-    if (is_out_of_sight(i)) {
+    if (is_elsewhere(i) && !turned(i)) {
       if (!will_be_asked(i)) leaving_ += double{spot.share};
       return Fate::Apart;
     }

@@ -20,8 +20,6 @@ constexpr double same_size = 0.85;
 /// Of the picture, at least 1/share is a fair extent.
 constexpr double fair_share = 500;
 
-constexpr float rests = 0.999986f;  ///< cosine: by how much a camera turns from one picture to the next, 0.3 degrees
-
 /// [m2] of them where the picture says nothing, though it shows the place.
 double blank_in(const std::vector<Spot>& spots, const Pixels& picture) {
   double blank = 0.0;
@@ -77,7 +75,7 @@ void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const 
   auto before = follow(std::move(seen), near, turning);
   for (std::size_t i = 0; i < things_.size(); ++i) lose(things_[i], std::move(before[i]));
   unlearn_blind_range();
-  const bool rest = !axis_ || are_same(*axis_, gaze.axis, rests);
+  const bool rest = turning <= still;
   has_turned_ = has_turned_ || !rest;
   gaze.has_turned = has_turned_;
   std::optional<std::vector<Backdrop::Place>> hidden;  // asked for once, if at all
@@ -87,8 +85,11 @@ void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const 
   };
   for (Remembered& thing : things_) {
     note_vanished(thing, picture, near, rest);
-    if (!rest) drop_what_is_seen(thing.lost, gaze, turning, picture);
-    if (!rest || thing.lost.empty()) continue;
+    if (!rest) {
+      drop_what_is_seen(thing.lost, gaze, turning, picture);
+      continue;
+    }
+    if (thing.lost.empty()) continue;
     if (thing.moved) {
       if (backdrop.looks_along(gaze.axis)) follow_hole(thing);
       continue;
@@ -108,10 +109,11 @@ void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const 
 /// Nothing goes for what is seen behind it, and nothing vanishes: what does not return counts as seen until a picture
 /// says more, but where something else is seen now.
 void ThingsMemory::update_by_little(std::vector<Thing> seen, const Pixels& picture, float near, const Axis& axis) {
-  auto before = follow(std::move(seen), near, turning_to(axis));
-  const bool rest = !axis_ || are_same(*axis_, axis, rests);
+  const float turning = turning_to(axis);
+  auto before = follow(std::move(seen), near, turning);
   const auto is_there = [&](const Spot& spot) {
-    return rest && spot.axis && are_same(*spot.axis, axis, same_axis) && evidence_of(spot, picture) == Evidence::There;
+    return turning <= still && spot.axis && are_same(*spot.axis, axis, same_axis) &&
+           evidence_of(spot, picture) == Evidence::There;
   };
   const auto drop_what_is_there = [&](std::vector<Spot>& spots) {
     spots.erase(std::remove_if(spots.begin(), spots.end(), is_there), spots.end());
