@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include "../memory/lens.hpp"
 #include "robot_with_odometry.hpp"
 
 namespace safety_control_cloud {
@@ -94,45 +95,24 @@ TEST(ThinThings, APoleIsRememberedWhereItStandsThoughAScanTakesItsTime) {
   }
 }
 
-/// What an Xtion sees in VGA of the floor, and of a bar of 5 mm on the right, 0.9 m away, in three of its rows.
-struct BarInVga {
-  static constexpr std::size_t width = 640, height = 480;
-
-  std::vector<Xyz> points = std::vector<Xyz>(width * height);
-
-  explicit BarInVga(std::size_t first_row) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const std::size_t row = i / width, column = i % width;
-      const float right = (static_cast<float>(column) - 319.5f) / focal,
-                  down = (static_cast<float>(row) - 239.5f) / focal;
-      const float floor = down > 0.0f ? floor_y / down : inf;
-      const bool is_bar = row >= first_row && row < first_row + 3 && right > 0.4f && right < 0.55f;
-      const float z = is_bar ? 0.9f : floor;
-      points[i] = z > 0.4f && z < 5.0f ? Xyz{right * z, down * z, z} : Xyz{nan, nan, nan};
-    }
-  }
-
-  CloudView view() const {
-    CloudView view = view_of(points);
-    view.width = width;
-    view.height = height;
-    view.row_step = width * sizeof(Xyz);
-    return view;
-  }
-
- private:
-  static constexpr float focal = 554.26f;  // [pixel]
-};
+/// What an Xtion in VGA sees in three of its rows: a bar of 5 mm on the right, 0.9 m away.
+Board bar_in_rows(const Lens& lens, std::size_t first) {
+  constexpr float away = 0.9f;
+  const auto at = [&](double row) { return away * static_cast<float>((row - lens.down) / lens.focal); };
+  const auto row = static_cast<double>(first);
+  return {away, 0.4f * away, 0.55f * away, at(row - 0.5), at(row + 2.5)};
+}
 
 /// Of the rows, each look takes every sixth.
 TEST(ThinThings, ABarThatLiesBetweenTwoRowsIsRemembered) {
+  const Lens vga{640, 480, 554.26, 319.5, 239.5};
   for (std::size_t first_row = 210; first_row < 216; ++first_row) {
-    const BarInVga bar(first_row);
+    const auto points = vga.points({bar_in_rows(vga, first_row)});
     RobotWithOdometry robot;
     for (int i = 0; i < 20; ++i) {
       robot.pass(0.05);
       robot.control.note_odometry(robot.now.ros, robot.pose, {});
-      robot.see(bar.view());
+      robot.see(vga.view_of_rows(points));
       robot.wants({});
     }
     robot.turns(pi - 0.49, robot.hall);  // it is behind

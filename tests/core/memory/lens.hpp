@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "../../../safety_control_cloud/core/input/depth.hpp"
 #include "../scene.hpp"
 
 namespace safety_control_cloud {
