@@ -8,15 +8,12 @@
 #include <utility>
 
 #include "evidence.hpp"
-#include "hanging.hpp"
-#include "likeness.hpp"
+#include "following.hpp"
 #include "turned.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
-/// Of a thing of which as much is still seen, nothing is lost.
-constexpr double same_size = 0.85;
 /// Of the picture, at least 1/share is a fair extent.
 constexpr double fair_share = 500;
 
@@ -51,11 +48,6 @@ void drop_what_is_seen(std::vector<Spot>& lost, const Gaze& gaze, float turning,
   lost.erase(std::remove_if(lost.begin(), lost.end(), is_seen), lost.end());
 }
 
-void drop_what_came_along(std::vector<Spot>& spots) {
-  const auto came_along = [](const Spot& spot) { return !spot.went_alone; };
-  spots.erase(std::remove_if(spots.begin(), spots.end(), came_along), spots.end());
-}
-
 }  // namespace
 
 void ThingsMemory::restore(std::vector<Remembered> things, float blind_range) {
@@ -72,7 +64,7 @@ void ThingsMemory::scale_sizes(double by) {
 void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor,
                           const Backdrop& backdrop, float near, Gaze gaze) {
   const float turning = turning_to(gaze.axis);
-  auto before = follow(std::move(seen), near, turning);
+  auto before = follow(things_, std::move(seen), near, turning);
   for (std::size_t i = 0; i < things_.size(); ++i) lose(things_[i], std::move(before[i]));
   unlearn_blind_range();
   const bool rest = turning <= still;
@@ -110,7 +102,7 @@ void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const 
 /// says more, but where something else is seen now.
 void ThingsMemory::update_by_little(std::vector<Thing> seen, const Pixels& picture, float near, const Axis& axis) {
   const float turning = turning_to(axis);
-  auto before = follow(std::move(seen), near, turning);
+  auto before = follow(things_, std::move(seen), near, turning);
   const auto is_there = [&](const Spot& spot) {
     return turning <= still && spot.axis && are_same(*spot.axis, axis, same_axis) &&
            evidence_of(spot, picture) == Evidence::There;
@@ -180,57 +172,6 @@ void ThingsMemory::unlearn_blind_range() {
 /// [rad] from the picture before.
 float ThingsMemory::turning_to(const Axis& axis) const {
   return axis_ ? std::acos(std::clamp(cosine_of(*axis_, axis), -1.0f, 1.0f)) : 0.0f;
-}
-
-/// Which of the things that were seen are those that are seen now: the ones that have most in common. Of each thing
-/// what was seen before, unless it has moved as a whole.
-std::vector<Thing> ThingsMemory::follow(std::vector<Thing> seen, float near, float turning) {
-  std::vector<Thing> before;
-  for (Remembered& thing : things_) {
-    before.push_back(std::exchange(thing.seen, Thing{}));
-    thing.seen.size = before.back().size;  // as it was seen last
-  }
-  std::vector<const std::vector<Spot>*> remembered;
-  for (const Thing& thing : before) remembered.push_back(&thing.spots);
-  for (const Remembered& thing : things_) remembered.push_back(&thing.lost);
-  keep_hanging(seen, remembered);
-  for (Thing& now : seen) {
-    std::size_t best = things_.size();
-    const double least = now.at_border ? 0.05 : 0.25;  // what leaves the corridor may lose most of it in one step
-    double most = 0.0;
-    for (std::size_t i = 0; i < before.size(); ++i) {
-      if (before[i].spots.empty() || things_[i].is_seen()) continue;
-      const Likeness alike = likeness_of(before[i].spots, now);
-      const double as_large = std::min(1.0, now.size / before[i].size);
-      const double all_in_all = as_large * (alike.share + alike.closeness);
-      if (alike.share * as_large > least && all_in_all > most) best = i, most = all_in_all;
-    }
-    if (best == things_.size()) {
-      things_.emplace_back();
-      before.emplace_back();
-    }
-    Remembered& thing = things_[best];
-    const double size_before = before[best].size;
-    const bool same =
-        now.size > same_size * size_before && size_before > same_size * now.size && now.size > same_size * thing.size;
-    if (same) note_what_went_alone(before[best].spots, now, near);
-    if (same && thing.lost.empty()) drop_what_came_along(before[best].spots);
-    thing.size = std::max(thing.size, now.size);
-    thing.at_border = now.at_border;
-    thing.is_slight = now.is_slight;
-    thing.stood = now.stands || (thing.stood && !now.hangs);
-    // What is left of it at a border may show no foot: a post that slides out of the corridor still stands. But what is
-    // seen below it says that it does not.
-    for (Spot& spot : now.spots) {
-      spot.stands = spot.stands || (thing.stood && spot.foot_unseen);
-      spot.turning = turning;
-    }
-    thing.seen = std::move(now);
-    thing.freed = 0.0;
-    thing.vanished = false;
-    ++thing.clouds;
-  }
-  return before;
 }
 
 void ThingsMemory::lose(Remembered& thing, Thing before) {

@@ -57,7 +57,6 @@ class ThingsMemory {
 
  private:
   float turning_to(const Axis& axis) const;
-  std::vector<Thing> follow(std::vector<Thing> seen, float near, float turning);
   static void lose(Remembered& thing, Thing before);
   static void stay_in_hole(Remembered& thing, std::vector<Spot> spots);
   void note_vanished(Remembered& thing, const Pixels& picture, float near, bool resting);
