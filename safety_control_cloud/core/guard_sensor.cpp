@@ -88,8 +88,9 @@ std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origi
   const auto outlook = outlook_of(straight_, origin.placing);
   const auto* placed = std::get_if<Outlook>(&outlook);
   const auto alongside = placed ? std::optional(around_.begin(*placed)) : std::nullopt;
+  const std::uint32_t before = sensor_.picture();
   sensor_.see(reading, facing, now, Crop::Skip, alongside ? &*alongside : nullptr);
-  if (sensor_.is_near_noted()) placed_.reset();  // what it loses now may have been shown later than by that look
+  is_new_picture_ = sensor_.picture() != before;
   if (!std::holds_alternative<Seen>(sensor_.answer())) return std::nullopt;
   was_sound_ = true;
   const Outlook upright = sensor_.upright(std::get<Outlook>(outlook));  // there is, or nothing were seen
@@ -104,6 +105,7 @@ void GuardSensor::note_loss_ahead() {
 
 void GuardSensor::forget_losses() {
   sensor_.forget_losses();
+  lost_ = LostSpots{};
   is_lost_ahead_ = false;
 }
 
@@ -163,15 +165,19 @@ const Loss* GuardSensor::loss() const {
 
 bool GuardSensor::note_pose(const std::optional<Pose2>& pose, double now) {
   const Loss* lost = loss();
-  lost_.note(lost ? lost->spots : std::vector<Point>{}, placed_, now);
-  placed_.reset();
-  if (pose) placed_ = LostSpots::Before{taken_->outlook, *pose};
+  lost_.note(lost ? lost->spots : std::vector<LostSpot>{}, now);
+  if (pose) note_picture_from(taken_->outlook, *pose, now);
+  pose_ = pose;
   return lost != nullptr;
+}
+
+void GuardSensor::note_picture_from(const Outlook& outlook, const Pose2& pose, double now) {
+  if (is_new_picture_) lost_.note_picture(sensor_.picture(), {outlook, pose, now});
 }
 
 void GuardSensor::explain_loss(const std::vector<KnownPlace>& known, double time, double now) {
   const Loss* lost = loss();
-  is_explained_ = lost && placed_ && lost_.are_among(known, placed_->pose, taken_->eye, time, now) &&
+  is_explained_ = lost && pose_ && lost_.are_among(known, *pose_, taken_->eye, time, now) &&
                   hides(known, lost->covered, taken_->field, own_.near_loss.blind_range);
 }
 
@@ -192,7 +198,7 @@ void GuardSensor::explain_blindness(const std::vector<KnownPlace>& known) {
 
 void GuardSensor::forget_poses() {
   lost_.forget_places();
-  placed_.reset();
+  pose_.reset();
   is_explained_ = false;
 }
 

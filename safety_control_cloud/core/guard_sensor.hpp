@@ -30,6 +30,9 @@ class GuardSensor {
   /// What it saw last was seen with the robot there; none: nobody knows. Whether something is lost from its sight.
   bool note_pose(const std::optional<Pose2>& pose, double now);
 
+  /// Its latest reading, which may be blind, was taken from there.
+  void note_picture_from(const Outlook& outlook, const Pose2& pose, double now);
+
   /// What is known to be around it there, and for how long such is kept [s]: if that is all that is lost, nothing is.
   void explain_loss(const std::vector<KnownPlace>& known, double time, double now);
 
@@ -83,6 +86,7 @@ class GuardSensor {
   std::string remembered() const { return sensor_.remembered(); }
   /// A laser, which remembers nothing, goes on with nothing either.
   bool recall(const std::string& remembered) {
+    lost_ = LostSpots{};
     return own_.input == InputKind::Scan ? remembered.empty() : sensor_.recall(remembered);
   }
 
@@ -124,8 +128,9 @@ class GuardSensor {
   Surroundings around_;
   std::optional<Taken> taken_;
   Collected collected_ = Collected::Nothing;
-  std::optional<LostSpots::Before> placed_;  ///< the latest that was believed
+  std::optional<Pose2> pose_;  ///< of the robot, as it looked last
   LostSpots lost_;
+  bool is_new_picture_ = false;         ///< the latest reading: something may be remembered of it
   bool is_explained_ = false;           ///< what is lost in it, or why it is blind
   bool was_sound_ = false;              ///< nothing but what it cannot see any more speaks against it
   std::optional<double> last_arrival_;  ///< [s] steady

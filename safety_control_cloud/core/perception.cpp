@@ -106,7 +106,9 @@ void Perception::explain_blindness(std::size_t sensor, const Origin& origin, con
   GuardSensor& blind = sensors_[sensor];
   const auto outlook = blind.outlook_if_blind(origin.placing);
   const auto robot = memory_.by_odometry_at(blind.taken_at(origin, now), {odometry_, given}, now);
-  if (outlook && robot) blind.explain_blindness(memory_.resting(*outlook, *robot, now));
+  if (!outlook || !robot) return;
+  blind.note_picture_from(*outlook, robot->pose, now.steady);
+  blind.explain_blindness(memory_.resting(*outlook, *robot, now));
 }
 
 /// One sensor that is not required, and in doubt, is as good as not there; but not for a change of the settings.

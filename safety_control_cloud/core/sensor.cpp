@@ -63,7 +63,6 @@ void Sensor::see(const Reading& reading, const Origin& origin, const Instant& no
                  const Alongside* alongside) {
   last_arrival_ = now.steady;
   counted_ = Sight{};
-  is_near_noted_ = false;
   answer_ = answer_to(reading, origin, now, crop, alongside);
 }
 
@@ -111,7 +110,7 @@ Answer Sensor::look_at(const Reading& reading, const Outlook& outlook, const Ori
       scan ? doubt_about_plane(*scan, outlook, settings_.limits) : doubt_about_aim(view, outlook, settings_.limits);
   const Sight turned = upright_.is_turned() ? look(upright, in_upright, Crop::Skip, rows) : Sight{};
   const Sight& sight = upright_.is_turned() ? turned : counted_;
-  if (blind && !aim) is_near_noted_ = near_loss_.note_blind(upright, sight, in_upright, now);
+  if (blind && !aim) near_loss_.note_blind(upright, sight, in_upright, now);
   if (blind || aim) return blind ? *std::move(blind) : *std::move(aim);
   if (auto doubt = frozen_.note(view, origin.stamp, settings_.frozen_clouds)) return *std::move(doubt);
   auto loss = near_loss_.judge(upright, sight, in_upright, now);

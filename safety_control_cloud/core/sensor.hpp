@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -77,8 +78,8 @@ class Sensor {
   const View& upright_view() const { return upright_view_; }
   Outlook upright(const Outlook& outlook) const { return upright_.turned(outlook); }
 
-  /// Whether the latest reading is blind, and yet shows something near, which is remembered.
-  bool is_near_noted() const { return is_near_noted_; }
+  /// The number of the latest reading in which anything near was looked for; a new one only if that was the latest.
+  std::uint32_t picture() const { return near_loss_.picture(); }
 
   /// Forgets the near obstacles that were lost from sight, and how much and how soon the camera used to show: somebody
   /// has looked.
@@ -109,7 +110,6 @@ class Sensor {
   Upright upright_;
   View upright_view_;
   NearLoss near_loss_;
-  bool is_near_noted_ = false;
   bool recalled_ = false;               ///< what is lost was lost by another process
   std::optional<double> last_arrival_;  ///< [s] steady
   Answer answer_ = Doubt{Cause::NoCloud, "no cloud has arrived yet"};

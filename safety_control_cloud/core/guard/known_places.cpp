@@ -25,6 +25,8 @@ constexpr double going = 0.3;  ///< [s] in which a thing goes out of sight, show
 constexpr double same =
     0.025;  ///< [m] beside what is shown since: no more of a thing is lost than its shown rest hides
 
+constexpr std::size_t most_pictures = 600;  ///< half a minute of a fast camera: what is kept longer is forgotten
+
 using Parts = std::array<bool, parts>;
 using Cell = std::pair<long, long>;
 
@@ -64,24 +66,33 @@ bool hides(const std::vector<KnownPlace>& known, const std::vector<Span>& covere
   return left < most_left + left_over * parts;
 }
 
-void LostSpots::note(const std::vector<Point>& lost, const std::optional<Before>& before, double now) {
+void LostSpots::note_picture(std::uint32_t number, const Taken& from) {
+  pictures_.insert_or_assign(number, from);
+  if (pictures_.size() > most_pictures) pictures_.erase(pictures_.begin());
+}
+
+void LostSpots::note(const std::vector<LostSpot>& lost, double now) {
   decltype(spots_) spots;
-  for (const Point& spot : lost) {
+  for (const auto& [spot, picture] : lost) {
     const std::array<float, 3> seen{spot.x, spot.y, spot.z};
     if (const auto found = spots_.find(seen); found != spots_.end()) {
       spots.insert(*found);
       continue;
     }
     Lost& lost_now = spots[seen] = {std::nullopt, 0.0, now};
-    if (!before) continue;
-    const Point there = before->camera.placed(spot.x, spot.y, spot.z);
-    lost_now.place = beyond(before->pose, {{there.z, -there.x}, 0.0}).place;
+    const auto taken = pictures_.find(picture);
+    if (taken == pictures_.end()) continue;
+    const auto& [camera, pose, at] = taken->second;
+    lost_now.since = std::min(now, at + going);
+    const Point there = camera.placed(spot.x, spot.y, spot.z);
+    lost_now.place = beyond(pose, {{there.z, -there.x}, 0.0}).place;
     lost_now.height = -there.y;
   }
   spots_ = std::move(spots);
 }
 
 void LostSpots::forget_places() {
+  pictures_.clear();
   for (auto& [seen, lost] : spots_) lost.place.reset();
 }
 

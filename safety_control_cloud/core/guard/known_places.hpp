@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <vector>
@@ -32,15 +33,19 @@ bool hides(const std::vector<KnownPlace>& known, const std::vector<Span>& covere
 /// Where in a frame that rests the things are that a camera has lost from sight.
 class LostSpots {
  public:
-  /// How the camera was placed, and where the robot was, when they were shown last.
-  struct Before {
+  /// How the camera was placed, and where the robot was, when a picture was taken.
+  struct Taken {
     Outlook camera;
     Pose2 pose;
+    double at;  ///< [s] steady
   };
 
-  /// They are lost now, in the frame of the cloud that showed them last. Those that were not lost before were shown by
-  /// the look before; none: nobody knows from where. `now` [s] steady.
-  void note(const std::vector<Point>& lost, const std::optional<Before>& before, double now);
+  /// The latest picture, of this number, was taken from there. Of many, the first are forgotten.
+  void note_picture(std::uint32_t number, const Taken& from);
+
+  /// They are lost now, or since soon after their picture, if that is longer ago. Of those of a picture that was not
+  /// noted, nobody knows where they are. `now` [s] steady.
+  void note(const std::vector<LostSpot>& lost, double now);
 
   /// Where they are, nobody knows any more: the frame is another one.
   void forget_places();
@@ -61,6 +66,7 @@ class LostSpots {
   };
 
   std::map<std::array<float, 3>, Lost> spots_;  ///< by where they were seen
+  std::map<std::uint32_t, Taken> pictures_;
 };
 
 }  // namespace safety_control_cloud

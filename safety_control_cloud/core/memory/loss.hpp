@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -16,6 +17,12 @@ struct Span {
   double from, to;
 };
 
+/// Where something was seen that is lost, in the frame of the cloud that showed it [m].
+struct LostSpot {
+  Point point;
+  std::uint32_t picture;  ///< which one that was: NearLoss::picture()
+};
+
 /// Something near that is not among the returns in the corridor.
 struct Loss {
   Cause cause = Cause::NearLoss;     ///< or LowObstacle
@@ -26,8 +33,8 @@ struct Loss {
   std::string hint = {};             ///< what would free the robot, if it is
 
   // All that is lost, for who knows better where it is; nothing if that is not all.
-  std::vector<Span> covered = {};  ///< where the near floor is hidden
-  std::vector<Point> spots = {};   ///< of things, where they were seen last, in the cloud's frame [m]
+  std::vector<Span> covered = {};    ///< where the near floor is hidden
+  std::vector<LostSpot> spots = {};  ///< of things, where they were seen last
 };
 
 /// What nobody sees any more has a distance [m], but no place.

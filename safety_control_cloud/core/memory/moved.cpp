@@ -30,6 +30,7 @@ std::vector<Spot> Moved::spots_in(const std::vector<Backdrop::Place>& hidden, st
     spot.share = static_cast<float>(each * static_cast<double>(step));
     spot.company = Backdrop::dense;
     spot.seen_past = 0;
+    spot.picture = 0;
     spot.foot_unseen = spot.hung_before = false;
     spots.push_back(spot);
   }

@@ -100,12 +100,11 @@ std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const 
   return loss;
 }
 
-bool NearLoss::note_blind(const View& view, const Sight& sight, const Outlook& outlook, double now) {
-  if (limits_.distance <= 0.0) return false;
+void NearLoss::note_blind(const View& view, const Sight& sight, const Outlook& outlook, double now) {
+  if (limits_.distance <= 0.0) return;
   const bool any =
       is_picture(view) ? note_picture(view, sight, outlook) : shows_near(sight, outlook) && note_points(view, outlook);
   if (any) write_down(written_lost_, now);
-  return any;
 }
 
 bool NearLoss::note_picture(const View& view, const Sight& sight, const Outlook& outlook) {
@@ -277,11 +276,11 @@ bool NearLoss::is_lost(const Remembered& thing, const Spot& spot, const Outlook&
   return outlook.corridor.holds(place) && (thing.vanished || place.z - outlook.camera().z < kept_distance());
 }
 
-std::vector<Point> NearLoss::lost_spots(const Outlook& outlook) const {
-  std::vector<Point> spots;
+std::vector<LostSpot> NearLoss::lost_spots(const Outlook& outlook) const {
+  std::vector<LostSpot> spots;
   for (const Remembered& thing : things_.things())
     for (const Spot& spot : thing.lost)
-      if (is_lost(thing, spot, outlook)) spots.push_back(spot.point);
+      if (is_lost(thing, spot, outlook)) spots.push_back({spot.point, spot.picture});
   return spots;
 }
 

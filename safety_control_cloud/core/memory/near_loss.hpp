@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -61,8 +62,11 @@ class NearLoss {
   std::optional<Loss> judge(const View& view, const Sight& sight, const Outlook& outlook, double now);
 
   /// A cloud that is blind shows too little to say what is free: what is near in it is remembered, nothing is forgiven,
-  /// and what it does not show is none of it lost. Whether anything is near in it.
-  bool note_blind(const View& view, const Sight& sight, const Outlook& outlook, double now);
+  /// and what it does not show is none of it lost.
+  void note_blind(const View& view, const Sight& sight, const Outlook& outlook, double now);
+
+  /// The number of the latest picture in which anything was near, or might have been.
+  std::uint32_t picture() const { return things_.picture(); }
 
  private:
   std::optional<Loss> judge_organised(const View& view, const Sight& sight, const Outlook& outlook,
@@ -86,7 +90,7 @@ class NearLoss {
   void remember(const NearSearch& search, std::uint8_t clouds_of_floor, const Patience& patience);
   std::optional<Loss> lost(const Outlook& outlook) const;
   bool is_lost(const Remembered& thing, const Spot& spot, const Outlook& outlook) const;
-  std::vector<Point> lost_spots(const Outlook& outlook) const;
+  std::vector<LostSpot> lost_spots(const Outlook& outlook) const;
   bool move_to(const Frame& frame);
   void write_down(bool lost, double now);
   double blind_range() const;

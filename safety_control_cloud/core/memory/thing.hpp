@@ -37,6 +37,7 @@ struct Spot {
   bool went_alone = false;             ///< the rest of the thing was still seen then: it does not go with that
   std::optional<Axis> axis{};          ///< of the camera then; none: of the first that asks
   float turning = 0.0f;                ///< [rad] by which the camera turned from the picture before that
+  std::uint32_t picture = 0;           ///< the number of the one that showed it; 0: none did
   std::optional<double> lost_since{};  ///< [s] steady
 
   bool is_shown() const { return row_shown && column_shown; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -50,6 +51,8 @@ class ThingsMemory {
   /// What has moved is lost where it is by now: what was seen behind is not known any more.
   void stay();
   bool empty() const { return things_.empty(); }
+  /// The number of the latest picture.
+  std::uint32_t picture() const { return picture_; }
   /// At which things vanished [m]; 0 if none did.
   float blind_range() const { return blind_range_; }
   /// As they were written down; nothing of them is seen.
@@ -57,6 +60,7 @@ class ThingsMemory {
 
  private:
   float turning_to(const Axis& axis) const;
+  void number(std::vector<Thing>& seen);
   static void lose(Remembered& thing, Thing before);
   static void stay_in_hole(Remembered& thing, std::vector<Spot> spots);
   void note_vanished(Remembered& thing, const Pixels& picture, float near, bool resting);
@@ -64,6 +68,7 @@ class ThingsMemory {
   void drop_empty();
 
   std::vector<Remembered> things_;
+  std::uint32_t picture_ = 0;
   float blind_range_ = 0.0f;
   std::optional<Axis> axis_;  ///< of the latest picture
   bool has_turned_ = false;   ///< the camera

@@ -49,7 +49,8 @@ TEST(LostSpots, WhatIsShownAgainJustThereIsKnown) {
   const Point spot(0.1f, 0.0f, 0.6f);
   const Eye eye{{-0.087, 0.0}, {1.0, 0.0}, 0.5};
   LostSpots lost;
-  lost.note({spot}, LostSpots::Before{camera, pose}, 10.0);
+  lost.note_picture(1, {camera, pose, 10.0});
+  lost.note({{spot, 1}}, 10.0);
   const auto known_by = [&](double beside, double shown_at, double off = 0.0, double above = 0.0) {
     const KnownPlace place{{0.6 - 0.087, -0.1 + beside}, camera_height + above, spot, off, shown_at};
     return lost.are_among({place}, pose, eye, 30.0, 15.0);
@@ -66,18 +67,19 @@ TEST(LostSpots, WhatIsShownAgainJustThereIsKnown) {
 /// A rod before a board: when its place is forgotten, that of the board, which was lost later, does not speak for it.
 TEST(LostSpots, OneThatIsForgottenIsNotKnownByAllTheOthers) {
   const Outlook camera({}, std::get<Placement>(xtion()));
-  const LostSpots::Before before{camera, {}};
   const Eye ahead_of_it{{-0.087, 0.0}, {1.0, 0.0}, 0.5}, aside{{-0.087, 0.0}, {0.0, 1.0}, 0.5};
-  std::vector<Point> spots{{0.0f, 0.0f, 0.5f}};
+  std::vector<LostSpot> spots{{{0.0f, 0.0f, 0.5f}, 1}};
   LostSpots lost;
-  lost.note(spots, before, 10.0);
+  lost.note_picture(1, {camera, {}, 10.0});
+  lost.note(spots, 10.0);
   std::vector<KnownPlace> board;
   for (int i = 0; i < 20; ++i) {
     const float aside_of_it = 0.01f * static_cast<float>(i - 10);
-    spots.emplace_back(aside_of_it, 0.0f, 0.6f);
-    board.push_back({{0.6 - 0.087, double{-aside_of_it}}, camera_height, spots.back(), 0.0, 20.0});
+    spots.push_back({{aside_of_it, 0.0f, 0.6f}, 2});
+    board.push_back({{0.6 - 0.087, double{-aside_of_it}}, camera_height, spots.back().point, 0.0, 20.0});
   }
-  lost.note(spots, before, 20.0);
+  lost.note_picture(2, {camera, {}, 20.0});
+  lost.note(spots, 20.0);
   const auto are_known = [&](double now, const Eye& eye) { return lost.are_among(board, {}, eye, 30.0, now); };
   EXPECT_TRUE(are_known(39.0, ahead_of_it)) << "but for a few";
   EXPECT_FALSE(are_known(40.0, ahead_of_it));
@@ -91,16 +93,18 @@ TEST(LostSpots, OneThatHasNoPlaceIsNotKnownByAllTheOthers) {
   const Outlook camera({}, std::get<Placement>(xtion()));
   const Eye eye{{-0.087, 0.0}, {1.0, 0.0}, 0.5};
   for (const bool any_of_before : {false, true}) {
-    std::vector<Point> spots;
-    if (any_of_before) spots.emplace_back(0.0f, 0.0f, 0.3f);
+    std::vector<LostSpot> spots;
+    if (any_of_before) spots.push_back({{0.0f, 0.0f, 0.3f}, 0});
     LostSpots lost;
-    lost.note(spots, std::nullopt, 10.0);
+    lost.note(spots, 10.0);
     std::vector<KnownPlace> person;
     for (int i = 0; i < 30; ++i) {
-      spots.emplace_back(0.005f * static_cast<float>(i - 15), 0.0f, 0.38f);
-      person.push_back({{0.38 - 0.087, -double{spots.back().x}}, camera_height, spots.back(), 0.0, 12.0});
+      const Point seen(0.005f * static_cast<float>(i - 15), 0.0f, 0.38f);
+      spots.push_back({seen, 1});
+      person.push_back({{0.38 - 0.087, -double{seen.x}}, camera_height, seen, 0.0, 12.0});
     }
-    lost.note(spots, LostSpots::Before{camera, {}}, 12.0);
+    lost.note_picture(1, {camera, {}, 12.0});
+    lost.note(spots, 12.0);
     EXPECT_EQ(lost.are_among(person, {}, eye, 30.0, 13.0), !any_of_before);
   }
 }

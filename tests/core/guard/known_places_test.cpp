@@ -125,6 +125,34 @@ TEST(LostSpots, WhatCameNearBeforeABlindCameraOfARobotThatBacksOffIsUnknown) {
   EXPECT_EQ(robot.wants(about).factor, 0.0);
 }
 
+/// A niche in a wall is in sight for longer than the wall, and goes out of it while the camera is blind.
+TEST(LostSpots, WhatCameNearBeforeABlindCameraOfARobotThatGoesOnIsKnown) {
+  const auto right_half = [](float ahead) {
+    return std::vector<Board>{{ahead, 0.05f, 0.15f, -9.0f, floor_y},
+                              {ahead + 0.06f, 0.15f, 0.19f, -9.0f, floor_y},
+                              {ahead, 0.19f, 9.0f, -9.0f, floor_y}};
+  };
+  const auto both = [&](float ahead) {
+    std::vector<Board> boards = right_half(ahead);
+    boards.push_back({ahead, -9.0f, 0.05f, -9.0f, floor_y});
+    return Scene(boards);
+  };
+  RobotWithOdometry robot;
+  float ahead = 0.8f;
+  for (; ahead > 0.33f; ahead -= 0.01f) {
+    robot.passes(0.05, both(ahead));
+    robot.pose.place.x += 0.01;
+  }
+  robot.passes(1.0, both(ahead));  // until it stands
+  ASSERT_EQ(robot.wants({0.02, 0.0, 0.3}).cause, Cause::Blind);
+  std::vector<Board> boards = right_half(ahead);
+  boards.push_back({3.0f, -9.0f, 9.0f, -9.0f, floor_y});
+  robot.passes(0.2, Scene(boards));
+  EXPECT_NE(robot.wants(about).cause, Cause::NearLoss) << robot.wants(about).reason;
+  EXPECT_GT(robot.wants(about).factor, 0.0) << robot.wants(about).reason;
+  EXPECT_LT(robot.wants({0.3, 0.0, 0.0}).factor, 0.2);
+}
+
 TEST(LostSpots, WhatElseHidesTheFloorIsUnknown) {
   RobotWithOdometry robot;
   drives_up(robot, post_at);
