@@ -20,8 +20,9 @@ TESTED_AS = {
     "input/kind": "tests/ros/taking_test.cpp: names of what is taken",
     **dict.fromkeys(["guard/cells", "guard/eye", "guard/lists", "guard/new_ground"],
                     "guard_control_test, surroundings_test: what the robot is let do of what several eyes saw"),
-    **dict.fromkeys(["memory/following", "memory/near_ground", "memory/near_pixels", "memory/near_things",
-                     "memory/pixels", "memory/raster", "memory/ray_hits", "memory/settings", "memory/things_memory"],
+    **dict.fromkeys(["memory/following", "memory/losses", "memory/near_ground", "memory/near_pixels",
+                     "memory/near_things", "memory/pixels", "memory/raster", "memory/ray_hits", "memory/settings",
+                     "memory/things_memory"],
                     "near_loss_test, things_test, together_test: the rules of one memory, of which none shows by itself"),
 }
 

@@ -8,6 +8,7 @@
 
 #include "../look/look.hpp"
 #include "kept.hpp"
+#include "losses.hpp"
 #include "near_things.hpp"
 #include "stand.hpp"
 
@@ -45,20 +46,6 @@ bool is_picture(const View& view) {
   return width >= 2 && height >= 2 && width <= most && height <= most;
 }
 
-Point place_of(const Spot& spot, const Outlook& outlook) {
-  return spot.place ? *spot.place : placed(spot.point, outlook);
-}
-
-bool is_in_sight(const Loss& loss) { return loss.cause == Cause::LowObstacle && !loss.whole; }
-
-/// Where a loss is at the nearest [m].
-double nearest_place(const Loss& loss) { return loss.whole || !loss.obstacle ? 0.0 : loss.obstacle->distance(); }
-
-std::optional<Loss> nearer(const std::optional<Loss>& one, const std::optional<Loss>& other) {
-  if (!one || !other) return one ? one : other;
-  return nearest_place(*one) <= nearest_place(*other) ? one : other;
-}
-
 }  // namespace
 
 void NearLoss::forget() { *this = NearLoss(limits_); }
@@ -74,6 +61,7 @@ double NearLoss::blind_range() const { return std::max(limits_.blind_range, doub
 double NearLoss::kept_distance() const {
   return std::max({limits_.distance, limits_.blind_range + step, 1.1 * double{things_.blind_range()}});
 }
+KeptWithin NearLoss::kept() const { return {kept_distance(), blind_range() + step}; }
 float NearLoss::near_distance() const { return static_cast<float>(margin * kept_distance()); }
 float NearLoss::watched_distance() const { return static_cast<float>(watched * kept_distance()); }
 
@@ -162,7 +150,7 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
   ground_.look_at(picture, outlook, near_distance());
   remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels}, 1, patience);
   const auto low = low_.judge(ground_, picture, outlook, patience);
-  const auto thing = lost(outlook);
+  const auto thing = nearest_loss(things_.things(), outlook, kept());
   note_backdrop(picture, outlook, thing && thing->whole);
   auto loss = nearer(low, thing);
   auto covered = floor_.covered();
@@ -172,7 +160,7 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
   }
   if (loss && !low) {
     loss->covered = std::move(covered);
-    loss->spots = lost_spots(outlook);
+    loss->spots = lost_spots(things_.things(), outlook, kept());
   }
   return loss;
 }
@@ -198,7 +186,7 @@ std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight,
   const InRaster shown = look_at_raster(raster, outlook, sparse ? nullptr : &raster_.hits(), &raster_.usual());
   remember({shown.picture, outlook, shown.sight.nearest_in_rows, watched_distance(), shown.least_pixels, sparse},
            FloorStrip::lately, patience);
-  return lost(outlook);
+  return nearest_loss(things_.things(), outlook, kept());
 }
 
 void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, const Patience& patience) {
@@ -268,39 +256,6 @@ void NearLoss::turn_corridor(double angle) {
   backdrop_ = Backdrop{};
   things_.stay();
   things_.turn_corridor(angle);
-}
-
-/// In the corridor, and near enough to count.
-bool NearLoss::is_lost(const Remembered& thing, const Spot& spot, const Outlook& outlook) const {
-  const Point place = place_of(spot, outlook);
-  return outlook.corridor.holds(place) && (thing.vanished || place.z - outlook.camera().z < kept_distance());
-}
-
-std::vector<LostSpot> NearLoss::lost_spots(const Outlook& outlook) const {
-  std::vector<LostSpot> spots;
-  for (const Remembered& thing : things_.things())
-    for (const Spot& spot : thing.lost)
-      if (is_lost(thing, spot, outlook)) spots.push_back({spot.point, spot.picture});
-  return spots;
-}
-
-std::optional<Loss> NearLoss::lost(const Outlook& outlook) const {
-  std::optional<Loss> nearest;
-  for (const Remembered& thing : things_.things()) {
-    double size = 0.0, distance = std::numeric_limits<double>::infinity();
-    for (const Spot& spot : thing.lost) {
-      if (!is_lost(thing, spot, outlook)) continue;
-      size += double{spot.share};
-      distance = std::min(distance, double{place_of(spot, outlook).z});
-    }
-    if (size == 0.0) continue;
-    const bool may_be_nearer = distance - outlook.camera().z < blind_range() + step;
-    const bool whole = !thing.is_seen() || 2.0 * size > thing.size || may_be_nearer;
-    const Loss loss{Cause::NearLoss, remembered_at(distance), whole,
-                    "an obstacle has stopped returning and nothing is seen behind it"};
-    nearest = nearer(nearest, loss);
-  }
-  return nearest;
 }
 
 }  // namespace safety_control_cloud

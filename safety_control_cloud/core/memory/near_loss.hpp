@@ -10,7 +10,7 @@
 #include "backdrop.hpp"
 #include "floor_strip.hpp"
 #include "frame.hpp"
-#include "loss.hpp"
+#include "losses.hpp"
 #include "low_obstacles.hpp"
 #include "margins.hpp"
 #include "near_things.hpp"
@@ -88,13 +88,11 @@ class NearLoss {
   Pixels framed(const View& view, const Outlook& outlook);
   bool shows_near(const Sight& sight, const Outlook& outlook) const;
   void remember(const NearSearch& search, std::uint8_t clouds_of_floor, const Patience& patience);
-  std::optional<Loss> lost(const Outlook& outlook) const;
-  bool is_lost(const Remembered& thing, const Spot& spot, const Outlook& outlook) const;
-  std::vector<LostSpot> lost_spots(const Outlook& outlook) const;
   bool move_to(const Frame& frame);
   void write_down(bool lost, double now);
   double blind_range() const;
   double kept_distance() const;
+  KeptWithin kept() const;
   float near_distance() const;
   float watched_distance() const;
 
