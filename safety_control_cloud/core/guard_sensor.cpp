@@ -78,7 +78,6 @@ std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origi
                                      const Given& given) {
   last_arrival_ = now.steady;
   last_taken_ = taken_at(origin, now);
-  note_loss_ahead();
   is_explained_ = false;
   if (taken_ && collected_ == Collected::Nothing) collected_ = Collected::Before;
   face(reading, origin.placing);
@@ -93,20 +92,22 @@ std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origi
   is_new_picture_ = sensor_.picture() != before;
   if (!std::holds_alternative<Seen>(sensor_.answer())) return std::nullopt;
   was_sound_ = true;
+  note_loss();
   const Outlook upright = sensor_.upright(std::get<Outlook>(outlook));  // there is, or nothing were seen
   return take(reading, origin, upright, now, given);
 }
 
-/// As the latest reading that was believed had it.
-void GuardSensor::note_loss_ahead() {
-  const auto* seen = std::get_if<Seen>(&sensor_.answer());
-  if (seen) is_lost_ahead_ = seen->loss && seen->loss->cause == Cause::NearLoss && !is_explained_;
+/// As the latest reading that is believed has it.
+void GuardSensor::note_loss() {
+  const auto& seen = std::get<Seen>(sensor_.answer());
+  has_lost_ = seen.loss && !is_explained_;
+  is_lost_ahead_ = has_lost_ && seen.loss->cause == Cause::NearLoss;
 }
 
 void GuardSensor::forget_losses() {
   sensor_.forget_losses();
   lost_ = LostSpots{};
-  is_lost_ahead_ = false;
+  has_lost_ = is_lost_ahead_ = false;
 }
 
 /// Who looks to all sides looks ahead too. A camera that turns away from what it lost would see something behind that
@@ -179,6 +180,7 @@ void GuardSensor::explain_loss(const std::vector<KnownPlace>& known, double time
   const Loss* lost = loss();
   is_explained_ = lost && pose_ && lost_.are_among(known, *pose_, taken_->eye, time, now) &&
                   hides(known, lost->covered, taken_->field, own_.near_loss.blind_range);
+  note_loss();
 }
 
 std::optional<Outlook> GuardSensor::outlook_if_blind(const Placing& placing) const {
@@ -237,6 +239,22 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
   known.horizon = taken_->horizon;
   known.cap = cap_by(sensor_.answer(), own_, facing_);
   return known;
+}
+
+std::optional<Known> GuardSensor::left_behind(const Known& known) const {
+  if (!known.doubt) return sensor_.is_any_near() && !known.is_placed ? std::optional(known) : std::nullopt;
+  if (!has_lost_ && !sensor_.is_recalled()) return std::nullopt;
+  static const std::vector<Ring> nothing;
+  Known left;
+  left.sensor = about_.name;
+  left.rings = &nothing;
+  left.law = law_;
+  left.ways = {Pose2{}};
+  if (taken_) left.eye = taken_->eye;
+  if (taken_ && is_lost_ahead_) left.eye->direction = {std::cos(facing_), std::sin(facing_)};
+  left.lost = Doubt{Cause::NearLoss, "it had lost something from sight, and is in doubt: " + known.doubt->reason};
+  left.hint = "it is believed again and sees what is behind that, or after ~reset, when somebody has looked";
+  return left;
 }
 
 /// By odometry, where it spans the time. Where the stamp may be off, also as if it had been taken when it came; of what

@@ -54,6 +54,10 @@ class GuardSensor {
   /// What it lets one know, given where the robot went.
   Known known_at(const Instant& now, const Odometry& odometry, const Given& given) const;
 
+  /// Of what it lets one know while it is in doubt and not required: what it had lost from sight before closes every
+  /// way but away from there all the same, and so does what was near when it went blind; none: there is no such thing.
+  std::optional<Known> left_behind(const Known& known) const;
+
   /// Whether what it shows was taken after this stamp [s, ROS], or that it is blind, so that only away from where it
   /// looks is open.
   bool has_looked_since(double stamp) const;
@@ -112,7 +116,7 @@ class GuardSensor {
   enum class Collected { Nothing, Before, Now };
 
   const Loss* loss() const;
-  void note_loss_ahead();
+  void note_loss();
   void face(const Reading& reading, const Placing& placing);
   Look take(const Reading& reading, const Origin& origin, const Outlook& outlook, const Instant& now,
             const Given& given);
@@ -123,6 +127,7 @@ class GuardSensor {
   Settings straight_;  ///< by which all of its points are taken, whichever way it looks
   Law law_;
   double facing_ = 0.0;         ///< [rad] from base_frame's x axis: where the corridor leads that it looks down
+  bool has_lost_ = false;       ///< something, of which nobody else knows where it is
   bool is_lost_ahead_ = false;  ///< something, in that corridor, of which nobody else knows where it is
   Sensor sensor_;
   Surroundings around_;

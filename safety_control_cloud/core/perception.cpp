@@ -2,6 +2,7 @@
 #include "perception.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "guard/override.hpp"
 #include "text/words.hpp"
@@ -111,10 +112,11 @@ void Perception::explain_blindness(std::size_t sensor, const Origin& origin, con
   blind.explain_blindness(memory_.resting(*outlook, *robot, now));
 }
 
-/// One sensor that is not required, and in doubt, is as good as not there; but not for a change of the settings.
+/// One sensor that is not required, and in doubt, is as good as not there, but for what it has lost; and not for a
+/// change of the settings.
 std::vector<Known> Perception::known_at(const Instant& now, const Given& given, const Guard& guard,
                                         std::vector<std::string>& doubts) {
-  std::vector<Known> all;
+  std::vector<Known> all, left;
   std::vector<bool> shows(sensors_.size(), false);
   if (const auto doubt = odometry_.doubt_at(now.ros)) doubts.push_back("odometry: " + *doubt);
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
@@ -127,12 +129,16 @@ std::vector<Known> Perception::known_at(const Instant& now, const Given& given, 
     if (known.is_placed && !known.doubt)
       doubts.push_back(words(sensor.name(), ": ", name_of(known.lost->cause), ", before what is known to stand there"));
     const bool is_absent = known.doubt || (known.lost && known.lost->cause == Cause::Blind);
-    if (is_absent && !sensor.is_required() && !sensor.is_awaited()) continue;
+    if (is_absent && !sensor.is_required() && !sensor.is_awaited()) {
+      if (auto behind = sensor.left_behind(known)) left.push_back(*std::move(behind));
+      continue;
+    }
     if (outside_) known.doubt = outside_;
     shows[i] = sensor.shows() && !known.is_placed;
     all.push_back(std::move(known));
   }
   if (!all.empty()) {
+    std::move(left.begin(), left.end(), std::back_inserter(all));
     for (Known& one : memory_.known_at(now, {odometry_, given}, sensors_, shows, guard)) all.push_back(std::move(one));
     for (Known& one : closed_.known_at(now.steady, settings_.switch_release_time)) all.push_back(std::move(one));
     if (auto unplaced = known_of_unplaced(now)) all.push_back(*std::move(unplaced));

@@ -54,6 +54,7 @@ void Sensor::turn_corridor(const Settings& settings, double angle) {
 }
 
 void Sensor::forget_losses() {
+  recalled_ = false;
   near_loss_.forget();
   stamps_.forget();
   blind_.forget();

@@ -78,6 +78,11 @@ class Sensor {
   const View& upright_view() const { return upright_view_; }
   Outlook upright(const Outlook& outlook) const { return upright_.turned(outlook); }
 
+  /// Whether anything was near when it was shown last, or is lost.
+  bool is_any_near() const { return near_loss_.is_any_near(); }
+  /// Whether what another process lost is lost still, for all that this one has seen.
+  bool is_recalled() const { return recalled_; }
+
   /// The number of the latest reading in which anything near was looked for; a new one only if that was the latest.
   std::uint32_t picture() const { return near_loss_.picture(); }
 

@@ -65,6 +65,9 @@ class NearLoss {
   /// and what it does not show is none of it lost.
   void note_blind(const View& view, const Sight& sight, const Outlook& outlook, double now);
 
+  /// Whether anything was near when it was shown last, or is lost.
+  bool is_any_near() const { return written_near_; }
+
   /// The number of the latest picture in which anything was near, or might have been.
   std::uint32_t picture() const { return things_.picture(); }
 

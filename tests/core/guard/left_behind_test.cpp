@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A sensor that is not required and in doubt, and what it knew of before.
+#include <gtest/gtest.h>
+
+#include "robot_with_sensors.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr Twist2 forward{0.3, 0.0, 0.0}, back{-0.1, 0.0, 0.0}, about{0.0, 0.0, 0.5};
+
+Scene post_at(float away) { return Scene({post(away, 0.0f)}); }
+Scene wall_at(float away) { return Scene({{away, -9.0f, 9.0f, -9.0f, floor_y}}); }
+
+/// Its rear camera is not required, and something comes up to it that its laser does not see.
+struct RobotBeforeWhatComes : RobotWithSensors {
+  explicit RobotBeforeWhatComes(Scene (*at)(float)) {
+    for (const float away : {0.7f, 0.6f, 0.5f, 0.45f, 0.35f}) {
+      behind = at(away);
+      drives({});
+    }
+  }
+
+  void expect_closed_behind(Cause cause) {
+    for (const Twist2& twist : {back, about}) {
+      EXPECT_EQ(drives(twist).factor, 0.0) << wants(twist).reason;
+      EXPECT_EQ(wants(twist).cause, cause) << wants(twist).reason;
+      EXPECT_EQ(wants(twist).sensor, "rear");
+    }
+    EXPECT_EQ(drives(forward).factor, 1.0) << wants(forward).reason;
+  }
+};
+
+TEST(LeftBehind, WhatWasLostClosesItsWayThoughTheCameraFallsSilent) {
+  RobotBeforeWhatComes robot(post_at);
+  robot.rear_shows = false;
+  for (int i = 0; i < 3; ++i) robot.expect_closed_behind(Cause::NearLoss);
+  robot.rear_shows = true;
+  robot.behind = Scene();
+  EXPECT_EQ(robot.drives(back).factor, 1.0) << robot.wants(back).reason;
+}
+
+TEST(LeftBehind, WhatWasLostInTheVeryLastLookToo) {
+  RobotWithSensors robot;
+  for (const float away : {0.7f, 0.6f, 0.5f, 0.45f}) {
+    robot.behind = post_at(away);
+    robot.drives({});
+  }
+  robot.behind = post_at(0.35f);
+  robot.drives_on({});
+  robot.rear_shows = false;
+  EXPECT_EQ(robot.drives(back).factor, 0.0) << robot.wants(back).reason;
+}
+
+TEST(LeftBehind, WhatWasLostClosesItsWayThoughTheCameraLooksElsewhere) {
+  RobotBeforeWhatComes robot(post_at);
+  robot.rear_heading = 1.5;
+  robot.behind = Scene();
+  robot.expect_closed_behind(Cause::NearLoss);
+}
+
+TEST(LeftBehind, WhatComesUntilItHidesAllClosesItsWay) {
+  RobotBeforeWhatComes robot(wall_at);
+  robot.expect_closed_behind(Cause::Blind);
+}
+
+TEST(LeftBehind, BlindnessBeforeWhichNothingWasNearIsAsGoodAsAbsence) {
+  RobotWithSensors robot;
+  ASSERT_EQ(robot.drives(back).factor, 1.0);
+  robot.behind = wall_at(0.1f);  // somebody covers it
+  EXPECT_EQ(robot.drives(back).factor, 1.0) << robot.wants(back).reason;
+  ASSERT_EQ(robot.wants(back).doubts.size(), std::size_t{1});
+  EXPECT_NE(robot.wants(back).doubts[0].find("rear: BLIND"), std::string::npos) << robot.wants(back).doubts[0];
+}
+
+TEST(LeftBehind, WhatWasLostBeforeARestartClosesEveryWayUntilTheCameraSpeaks) {
+  RobotBeforeWhatComes before(post_at);
+  RobotWithSensors robot;
+  ASSERT_TRUE(robot.control.recall(before.control.remembered()));
+  robot.rear_shows = false;
+  for (const Twist2& twist : {back, about, forward}) {
+    EXPECT_EQ(robot.drives(twist).factor, 0.0) << robot.wants(twist).reason;
+    EXPECT_EQ(robot.wants(twist).cause, Cause::NearLoss) << robot.wants(twist).reason;
+  }
+  robot.rear_shows = true;
+  EXPECT_EQ(robot.drives(forward).factor, 1.0) << robot.wants(forward).reason;
+  EXPECT_EQ(robot.drives(back).factor, 1.0) << robot.wants(back).reason;
+}
+
+TEST(LeftBehind, ResetForgetsIt) {
+  RobotBeforeWhatComes robot(post_at);
+  robot.rear_shows = false;
+  ASSERT_EQ(robot.drives(back).factor, 0.0);
+  robot.control.forget_losses();
+  EXPECT_EQ(robot.drives(back).factor, 1.0) << robot.wants(back).reason;
+}
+
+TEST(LeftBehind, WithNobodyElseToBelieveItStands) {
+  Settings settings = with_sensors(false);
+  settings.sensors.erase(settings.sensors.begin());  // rear and laser are left
+  GuardedRobot robot(settings);
+  for (const float away : {0.7f, 0.6f, 0.5f, 0.45f, 0.35f}) {
+    const Scene scene = post_at(away);
+    for (int i = 0; i < 5; ++i) {
+      robot.pass(0.05);
+      robot.see(scene.view(), turned_xtion(pi), 0);
+    }
+  }
+  robot.pass(2.0);
+  EXPECT_EQ(robot.wants({0.05, 0.0, 0.0}).factor, 0.0) << robot.wants({0.05, 0.0, 0.0}).reason;
+}
+
+}  // namespace
+}  // namespace safety_control_cloud
