@@ -10,6 +10,8 @@
 #include "look/field_of_view.hpp"
 #include "look/outlook.hpp"
 #include "speed/speed.hpp"
+#include "text/reader.hpp"
+#include "text/words.hpp"
 #include "verdict.hpp"
 
 namespace safety_control_cloud {
@@ -19,6 +21,7 @@ constexpr double long_on_its_way = 0.2;  ///< [s] what comes later after its sta
 constexpr double half_turn = 3.14159265358979323846;  ///< [rad]
 constexpr double turned_away = 0.2;  ///< [rad] by which a camera may look past its corridor before that follows it
 
+constexpr const char* facing_word = "facing";
 constexpr double few_returns = 0.1;        ///< of the points: with more, a camera is not blind for what is before it
 constexpr double least_of_scan = 0.3;      ///< [m] from which on a laser measures what is there, if it does so near
 constexpr double beyond_range_min = 0.05;  ///< [m] from which on it does, if not
@@ -108,6 +111,27 @@ void GuardSensor::forget_losses() {
   sensor_.forget_losses();
   lost_ = LostSpots{};
   has_lost_ = is_lost_ahead_ = false;
+}
+
+/// After which way its corridor leads, if that is not ahead.
+std::string GuardSensor::remembered() const {
+  const std::string& text = sensor_.remembered();
+  return text.empty() || facing_ == 0.0 ? text : words(facing_word, ' ', facing_, ' ', text);
+}
+
+/// What it tells of was lost in a corridor that led so, and stays so until the sensor has seen more.
+bool GuardSensor::recall(const std::string& remembered) {
+  if (own_.input == InputKind::Scan) return remembered.empty();
+  Reader reader(remembered);
+  const bool is_turned = reader.word() == facing_word;
+  const double facing = is_turned ? reader.number(-half_turn, half_turn) : 0.0;
+  if (!reader.good() || !sensor_.recall(is_turned ? reader.rest() : remembered)) return false;
+  lost_ = LostSpots{};
+  if (remembered.empty()) return true;
+  sensor_.adopt(sensor_settings(own_, facing));
+  facing_ = facing;
+  has_lost_ = is_lost_ahead_ = true;
+  return true;
 }
 
 /// Who looks to all sides looks ahead too. A camera that turns away from what it lost would see something behind that

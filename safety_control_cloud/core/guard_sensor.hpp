@@ -87,12 +87,9 @@ class GuardSensor {
   double until_silent(double now) const;
 
   void forget_losses();
-  std::string remembered() const { return sensor_.remembered(); }
+  std::string remembered() const;
   /// A laser, which remembers nothing, goes on with nothing either.
-  bool recall(const std::string& remembered) {
-    lost_ = LostSpots{};
-    return own_.input == InputKind::Scan ? remembered.empty() : sensor_.recall(remembered);
-  }
+  bool recall(const std::string& remembered);
 
   const std::string& name() const { return about_.name; }
   bool is_required() const { return about_.required; }

@@ -19,6 +19,11 @@ inline Axis axis_of(const Outlook& outlook) {
   return {{x[2], y[2], z[2]}, {x[0], y[0], z[0]}};
 }
 
+/// The same in axes that are turned by so much to the left [rad].
+inline Axis axis_turned(const Axis& axis, double angle) {
+  return {in_turned_axes(axis.ahead, angle), in_turned_axes(axis.right, angle)};
+}
+
 /// Cosine of the angle between them, the greater of that ahead and that to the right.
 inline float cosine_of(const Axis& a, const Axis& b) {
   const auto cosine = [](const std::array<float, 3>& one, const std::array<float, 3>& other) {

@@ -12,6 +12,7 @@ namespace {
 
 constexpr const char* version = "things-1";
 constexpr const char* end = "end";
+constexpr const char* looks = "looks";                                      // before which way the camera did
 constexpr const char* too_much = "things-1 more is lost than can be told";  // which kept_in refuses
 constexpr std::size_t most_things = 32, most_spots = 12, most_spots_lost = 8;
 constexpr std::size_t most_columns = NearGround::most_columns * 2, most_pixels = 65535;
@@ -56,6 +57,19 @@ void write(const Remembered& thing, std::ostream& to) {
   }
 }
 
+void write(const Axis& axis, std::ostream& to) {
+  to << ' ' << looks;
+  for (const auto& direction : {axis.ahead, axis.right})
+    for (const float part : direction) to << ' ' << part;
+}
+
+Axis axis_in(Reader& reader) {
+  Axis axis;
+  for (auto* direction : {&axis.ahead, &axis.right})
+    for (float& part : *direction) part = static_cast<float>(reader.number(-1.001, 1.001));
+  return axis;
+}
+
 Spot spot_in(Reader& reader) {
   constexpr double farthest = 100.0;
   Spot spot;
@@ -93,6 +107,7 @@ std::string to_text(const Kept& kept) {
   for (const Remembered& thing : things) write(thing, text);
   text << ' ' << (low ? kept.low.size() : 0);
   for (std::size_t i = 0; low && i < kept.low.size(); ++i) text << ' ' << kept.low[i];
+  if (kept.axis) write(*kept.axis, text);
   text << ' ' << end;
   return text.str();
 }
@@ -110,7 +125,12 @@ std::optional<Kept> kept_in(const std::string& text) {
   for (std::size_t i = 0; i < columns && reader.good(); ++i) {
     kept.low.push_back(static_cast<NearGround::Code>(reader.number(0.0, 32766.0)));
   }
-  if (!reader.good() || reader.word() != end) return std::nullopt;
+  std::string word = reader.word();
+  if (word == looks) {
+    kept.axis = axis_in(reader);
+    word = reader.word();
+  }
+  if (!reader.good() || word != end) return std::nullopt;
   return kept;
 }
 

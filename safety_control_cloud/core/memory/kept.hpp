@@ -17,6 +17,7 @@ struct Kept {
   std::vector<Remembered> things;
   std::vector<NearGround::Code> low;  ///< LowObstacles::floor()
   bool more = false;                  ///< is lost than this tells of
+  std::optional<Axis> axis{};         ///< of the camera, when the latest picture was taken; none: nobody knows
 };
 
 /// A line of text of at most 30 kilobytes: of each thing only some spots. Empty if there is nothing to keep. Where more

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "../look/look.hpp"
-#include "kept.hpp"
 #include "losses.hpp"
 #include "near_things.hpp"
 #include "stand.hpp"
@@ -46,6 +45,16 @@ bool is_picture(const View& view) {
   return width >= 2 && height >= 2 && width <= most && height <= most;
 }
 
+/// Of a head that turned since, a spot that is asked about along another axis than the text tells of.
+bool is_any_lost_elsewhere(const std::vector<Remembered>& things, const std::optional<Axis>& axis) {
+  const auto is_elsewhere = [&](const Spot& spot) {
+    return spot.axis && axis && !are_same(*spot.axis, *axis, same_axis);
+  };
+  return std::any_of(things.begin(), things.end(), [&](const Remembered& thing) {
+    return std::any_of(thing.lost.begin(), thing.lost.end(), is_elsewhere);
+  });
+}
+
 }  // namespace
 
 void NearLoss::forget() { *this = NearLoss(limits_); }
@@ -73,6 +82,7 @@ bool NearLoss::cuts_off(const Sight& sight, const Outlook& outlook) const {
 std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const Outlook& outlook, double now) {
   if (limits_.distance <= 0.0) return std::nullopt;
   const Patience patience{now, limits_.timeout};
+  if (!goes_on_along(outlook)) return lost_elsewhere(patience);
   auto loss =
       is_picture(view) ? judge_organised(view, sight, outlook, patience) : judge_points(view, sight, outlook, patience);
   write_down(loss && !is_in_sight(*loss), now);
@@ -89,7 +99,7 @@ std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const 
 }
 
 void NearLoss::note_blind(const View& view, const Sight& sight, const Outlook& outlook, double now) {
-  if (limits_.distance <= 0.0) return;
+  if (limits_.distance <= 0.0 || !goes_on_along(outlook)) return;
   const bool any =
       is_picture(view) ? note_picture(view, sight, outlook) : shows_near(sight, outlook) && note_points(view, outlook);
   if (any) write_down(written_lost_, now);
@@ -212,8 +222,9 @@ void NearLoss::write_down(bool lost, double now) {
   if (!changed && now - written_at_ < write_period) return;
   std::vector<Remembered> near;
   std::copy_if(things.begin(), things.end(), std::back_inserter(near), is_near);
-  text_ =
-      to_text({frame_.width, frame_.height, things_.blind_range(), std::move(near), low_.floor(), low_.any_beside()});
+  const bool more = low_.any_beside() || is_any_lost_elsewhere(near, things_.axis());
+  text_ = to_text(
+      {frame_.width, frame_.height, things_.blind_range(), std::move(near), low_.floor(), more, things_.axis()});
   written_at_ = now;
   written_lost_ = lost;
   written_near_ = any_near;
@@ -223,12 +234,43 @@ bool NearLoss::restore(const std::string& text) {
   auto kept = kept_in(text);
   if (!kept) return false;
   forget();
-  frame_ = {kept->width, kept->height, {}};
-  low_.move_to(frame_);
-  things_.restore(std::move(kept->things), kept->blind_range);
-  low_.restore(std::move(kept->low));
   text_ = text;
+  awaited_ = std::move(kept);
+  if (!awaited_->axis) take_up_awaited();
   return true;
+}
+
+/// In the picture of a camera that looked along another axis, each of them would be asked about at another's place.
+bool NearLoss::goes_on_along(const Outlook& outlook) {
+  if (!awaited_) return true;
+  const Axis axis = axis_of(outlook);
+  if (!are_same(axis, *awaited_->axis, same_axis)) return false;
+  take_up_awaited();
+  things_.for_each_spot([&](Spot& spot) {
+    spot.axis = axis;
+    spot.place = placed(spot.point, outlook);
+  });
+  return true;
+}
+
+void NearLoss::take_up_awaited() {
+  const Kept kept = *std::exchange(awaited_, std::nullopt);
+  frame_ = {kept.width, kept.height, {}};
+  low_.move_to(frame_);
+  things_.restore(kept.things, kept.blind_range);
+  low_.restore(kept.low);
+}
+
+std::optional<Loss> NearLoss::lost_elsewhere(const Patience& patience) {
+  if (!lost_since_) lost_since_ = patience.now;
+  if (patience.ends(*lost_since_)) {
+    forget();
+    return std::nullopt;
+  }
+  Loss loss{Cause::NearLoss, std::nullopt, true, "an obstacle was lost where the camera does not look now"};
+  loss.since = lost_since_;
+  loss.hint = "the camera looks as it did then, or after ~reset, when somebody has looked";
+  return loss;
 }
 
 /// The spots of what is remembered in another picture, from a camera that looks the same way; whether it is another.
@@ -256,6 +298,7 @@ void NearLoss::turn_corridor(double angle) {
   backdrop_ = Backdrop{};
   things_.stay();
   things_.turn_corridor(angle);
+  if (awaited_) awaited_->axis = axis_turned(*awaited_->axis, angle);
 }
 
 }  // namespace safety_control_cloud

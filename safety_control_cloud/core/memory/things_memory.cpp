@@ -195,10 +195,9 @@ void ThingsMemory::stay_in_hole(Remembered& thing, std::vector<Spot> spots) {
 }
 
 void ThingsMemory::turn_corridor(double angle) {
-  const auto turn = [=](Axis& axis) { axis = {in_turned_axes(axis.ahead, angle), in_turned_axes(axis.right, angle)}; };
-  if (axis_) turn(*axis_);
+  if (axis_) axis_ = axis_turned(*axis_, angle);
   for_each_spot([&](Spot& spot) {
-    if (spot.axis) turn(*spot.axis);
+    if (spot.axis) spot.axis = axis_turned(*spot.axis, angle);
     if (!spot.place) return;
     const auto [x, y, z] = in_turned_axes({spot.place->x, spot.place->y, spot.place->z}, angle);
     spot.place = Point(x, y, z);

@@ -51,6 +51,8 @@ class ThingsMemory {
   /// What has moved is lost where it is by now: what was seen behind is not known any more.
   void stay();
   bool empty() const { return things_.empty(); }
+  /// Which way the camera looked in the latest picture; none: there was none.
+  const std::optional<Axis>& axis() const { return axis_; }
   /// The number of the latest picture.
   std::uint32_t picture() const { return picture_; }
   /// At which things vanished [m]; 0 if none did.

@@ -23,6 +23,12 @@ class Reader {
     return good_ ? value : least;
   }
   std::size_t count(std::size_t most) { return static_cast<std::size_t>(number(0.0, static_cast<double>(most))); }
+  /// All that is left, but for the space before it.
+  std::string rest() {
+    std::string value;
+    std::getline(from_ >> std::ws, value);
+    return value;
+  }
   bool good() const { return good_; }
 
  private:

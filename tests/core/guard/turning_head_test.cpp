@@ -19,7 +19,8 @@ Settings forgetful() {
 
 /// A robot that stands before a post which has come nearer than its camera can see.
 struct RobotWithHead : GuardedRobot {
-  RobotWithHead() : GuardedRobot(forgetful()) {
+  explicit RobotWithHead(bool has_post = true) : GuardedRobot(forgetful()) {
+    if (!has_post) return;
     for (const float ahead : {0.7f, 0.6f, 0.5f, 0.45f, 0.36f}) drives(Scene({post(ahead, 0.0f)}), {});
   }
 
@@ -70,6 +71,61 @@ TEST(TurningHead, WhoLooksBackIsFreeToBackOffAndOnceItIsGoneToDriveOn) {
   EXPECT_EQ(robot.wants(back).factor, 1.0) << robot.wants(back).reason;
   for (int i = 0; i < 20; ++i) robot.looks(robot.wall);
   EXPECT_EQ(robot.wants(ahead).factor, 1.0) << robot.wants(ahead).reason;
+}
+
+/// The node ends and begins again, and the head looks elsewhere by then.
+TEST(TurningHead, WhatItLostBeforeARestartStaysUntilItLooksAsItDidThen) {
+  for (const double angle : {0.3, 0.6, 1.2, -1.2, 3.1}) {
+    RobotWithHead before, robot(false);
+    ASSERT_TRUE(robot.control.recall(before.control.remembered()));
+    robot.heading = angle;
+    for (int i = 0; i < 40; ++i) {
+      robot.looks(robot.wall);
+      EXPECT_EQ(robot.wants(ahead).factor, 0.0) << angle << " rad: " << robot.wants(ahead).reason;
+    }
+    EXPECT_EQ(RobotWithHead(false).control.recall(robot.control.remembered()), true) << "nor does another restart";
+    robot.heading = 0.0;
+    for (int i = 0; i < 20; ++i) robot.looks(robot.wall);
+    EXPECT_EQ(robot.wants(ahead).factor, 1.0) << angle << " rad: " << robot.wants(ahead).reason;
+  }
+}
+
+TEST(TurningHead, ThatSweepsPastWhereItLookedThenAsksNoOtherPlace) {
+  RobotWithHead before, robot(false);
+  ASSERT_TRUE(robot.control.recall(before.control.remembered()));
+  robot.heading = 1.0;
+  robot.turns_head(-1.55);
+  for (int i = 0; i < 20; ++i) robot.looks(robot.wall);
+  EXPECT_EQ(robot.wants(ahead).factor, 0.0) << robot.wants(ahead).reason;
+}
+
+TEST(TurningHead, ThatLostSomethingElsewhereFirstSaysOnlyThatMoreIsLost) {
+  RobotWithHead before, robot(false);
+  for (int i = 0; i < 5; ++i) before.looks(Scene({post(0.36f, 0.0f)}));
+  before.turns_head(0.4);
+  for (int i = 0; i < 20; ++i) before.looks(before.around());
+  EXPECT_FALSE(robot.control.recall(before.control.remembered()));
+  robot.heading = 0.4;
+  for (int i = 0; i < 20; ++i) robot.looks(robot.wall);
+  EXPECT_EQ(robot.wants(ahead).factor, 0.0) << robot.wants(ahead).reason;
+}
+
+/// And where its corridor has turned with it.
+TEST(TurningHead, WhatItLostToItsSideBeforeARestartIsSeenToGoThere) {
+  RobotWithHead before(false), robot(false);
+  before.heading = robot.heading = 1.2;
+  for (const float away : {0.7f, 0.6f, 0.5f, 0.45f, 0.36f}) {
+    const Scene scene({post(away, 0.0f)});
+    for (int i = 0; i < 10; ++i) before.looks(scene);
+  }
+  ASSERT_EQ(before.wants(ahead).factor, 0.0) << before.wants(ahead).reason;
+  ASSERT_TRUE(robot.control.recall(before.control.remembered()));
+  for (int i = 0; i < 20; ++i) robot.looks(Scene({post(0.36f, 0.0f)}));
+  EXPECT_EQ(robot.wants(ahead).factor, 0.0) << robot.wants(ahead).reason;
+  EXPECT_EQ(robot.wants(ahead).cause, Cause::NearLoss) << robot.wants(ahead).reason;
+  for (int i = 0; i < 20; ++i) robot.looks(robot.wall);
+  EXPECT_NE(robot.wants(ahead).cause, Cause::NearLoss) << robot.wants(ahead).reason;
+  EXPECT_NE(robot.wants(ahead).cause, Cause::WrongView) << robot.wants(ahead).reason;
 }
 
 TEST(TurningHead, ResetForgetsWhatItLost) {

@@ -20,16 +20,19 @@ BEFORE_SPOTS, SPOT = 2, 8  # words
 def spots_in(texts: Sequence[str]) -> NDArray[np.float32]:
     """(N, 3) [m]; empty where a text is not understood."""
     try:
-        found = [spot for text in texts if not text.startswith(PLACES) for spot in _spots(iter(text.split()))]
+        found = [spot for text in texts if not text.startswith(PLACES) for spot in _spots(text)]
     except (StopIteration, RuntimeError, ValueError):
         return nothing()
     return np.array(found, np.float32).reshape(-1, 3)
 
 
-def _spots(words: Iterator[str]) -> List[List[float]]:
+def _spots(text: str) -> List[List[float]]:
+    """A guard writes before it whose it is, and where its corridor leads."""
     found: List[List[float]] = []
-    if next(words, VERSION) != VERSION:
+    _, version, rest = text.partition(VERSION)
+    if text and not version:
         raise ValueError("another version")
+    words = iter(rest.split())
     _take(words, BEFORE_THINGS)
     for _ in range(int(next(words, "0"))):
         _take(words, BEFORE_SPOTS)
