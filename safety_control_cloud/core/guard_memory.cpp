@@ -20,10 +20,27 @@ OutOfSightLimits limits_by(const Settings& settings) {
           settings.obstacle_speed};
 }
 
+/// Of a sensor that has another name by now, a camera takes them over: a scan would forget what lies beside its plane.
+std::vector<KeptPlace> in_order_of(const std::vector<SensorSettings>& sensors, const KeptPlaces& kept) {
+  const auto first = [&](const auto& fits) {
+    return static_cast<std::size_t>(std::find_if(sensors.begin(), sensors.end(), fits) - sensors.begin());
+  };
+  const std::size_t camera = first([](const SensorSettings& one) { return one.type != InputKind::Scan; });
+  std::vector<std::size_t> by_now;
+  for (const std::string& name : kept.sensors) {
+    const std::size_t same = first([&](const SensorSettings& one) { return one.name == name; });
+    by_now.push_back(same < sensors.size() ? same : camera < sensors.size() ? camera : 0);
+  }
+  std::vector<KeptPlace> places = kept.all;
+  for (KeptPlace& place : places) place.sensor = by_now[place.sensor];
+  return places;
+}
+
 }  // namespace
 
 GuardMemory::GuardMemory(const Settings& settings)
     : out_of_sight_(limits_by(settings)),
+      sensors_(sensors_of(settings)),
       odometry_drift_(settings.odometry_drift),
       margin_(settings.margin),
       time_(settings.memory_time),
@@ -32,6 +49,7 @@ GuardMemory::GuardMemory(const Settings& settings)
 
 void GuardMemory::adopt(const Settings& settings) {
   out_of_sight_.limit(limits_by(settings));
+  sensors_ = sensors_of(settings);
   odometry_drift_ = settings.odometry_drift;
   margin_ = settings.margin;
   time_ = settings.memory_time;
@@ -52,7 +70,9 @@ std::string GuardMemory::remembered() const {
   if (!by_odometry_ || !latest_) return {};
   const Whereabouts& robot = latest_->robot;
   const Whereabouts there{robot.pose, {}, robot.drift, robot.unexplained};
-  return to_text({latest_->stamp, robot.pose, out_of_sight_.placed(there, latest_->at)});
+  std::vector<std::string> names;
+  for (const SensorSettings& sensor : sensors_) names.push_back(sensor.name);
+  return to_text({latest_->stamp, robot.pose, out_of_sight_.placed(there, latest_->at), names});
 }
 
 bool GuardMemory::recall(const std::string& remembered) {
@@ -69,12 +89,11 @@ bool GuardMemory::may_have_gone(const Pose2& way, double seconds) const {
 }
 
 /// Odometry that began anew meanwhile has jumped.
-void GuardMemory::place_recalled(std::size_t sensor, double stamp, const Whereabouts& robot, const Went& went,
-                                 const Instant& now) {
+void GuardMemory::place_recalled(double stamp, const Whereabouts& robot, const Went& went, const Instant& now) {
   Pose2 then = recalled_->robot;  // each process counts its own full turns
   then.heading = robot.pose.heading + std::remainder(then.heading - robot.pose.heading, full_turn);
   if (may_have_gone(between(then, robot.pose), stamp - recalled_->stamp)) {
-    out_of_sight_.recall(recalled_->all, sensor, {then, {}, robot.drift, robot.unexplained}, now.steady);
+    out_of_sight_.recall(in_order_of(sensors_, *recalled_), {then, {}, robot.drift, robot.unexplained}, now.steady);
   } else {
     jumped_ = looks_since(went, now);
   }
@@ -113,7 +132,7 @@ std::optional<Pose2> GuardMemory::note(std::size_t sensor, const Look& look, con
   const auto robot = whereabouts_at(now.ros - look.stamp, went, now);
   if (robot) {
     if (recalled_ && by_odometry_ && !are_over(recalled_->stamp, now.ros, time_))
-      place_recalled(sensor, look.stamp, *robot, went, now);
+      place_recalled(look.stamp, *robot, went, now);
     const auto as_told = went.given.whereabouts_at(now.steady - (now.ros - look.stamp));
     latest_ = Latest{look.stamp, now.steady, *robot, as_told};
     out_of_sight_.note(sensor, look, *robot, now.steady, way_during(look, went, now));

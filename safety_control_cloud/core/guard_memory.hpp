@@ -65,7 +65,7 @@ class GuardMemory {
 
  private:
   bool may_have_gone(const Pose2& way, double seconds) const;
-  void place_recalled(std::size_t sensor, double stamp, const Whereabouts& robot, const Went& went, const Instant& now);
+  void place_recalled(double stamp, const Whereabouts& robot, const Went& went, const Instant& now);
   static double looks_since(const Went& went, const Instant& now);
   void go_on_as_told(const Instant& now);
   void choose_whereabouts(double stamp, const Went& went, const Instant& now);
@@ -82,6 +82,7 @@ class GuardMemory {
   };
 
   OutOfSight out_of_sight_;
+  std::vector<SensorSettings> sensors_;
   double odometry_drift_;               ///< [m/m], [rad/rad]
   double margin_;                       ///< [m]
   double time_;                         ///< [s] for which anything is kept

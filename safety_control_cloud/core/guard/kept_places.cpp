@@ -12,8 +12,10 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr const char* version = "places-1";
+constexpr const char* version = "places-2";
 constexpr const char* end = "end";
+constexpr const char* no_name = "-";  // of the only sensor, which has none
+constexpr std::size_t most_sensors = 100;
 constexpr double close_by = 0.04, layer = 0.1;  ///< [m] across and up
 constexpr std::size_t most = 2000;              ///< places
 constexpr double farthest = 1e5;                ///< [m] farther than anybody drives in memory_time
@@ -21,13 +23,13 @@ constexpr double millimetre = 1e-3;             ///< [m]
 constexpr double almost_half = 0.499e-3;        ///< [m] so that it is rounded up
 
 std::vector<KeptPlace> some_of(const std::vector<KeptPlace>& all) {
-  std::map<std::array<long, 3>, KeptPlace> some;
+  std::map<std::array<long, 4>, KeptPlace> some;
   for (const KeptPlace& one : all) {
-    const std::array<long, 3> cell = {std::lround(one.place.x / close_by), std::lround(one.place.y / close_by),
-                                      std::lround(one.height / layer)};
+    const std::array<long, 4> cell = {std::lround(one.place.x / close_by), std::lround(one.place.y / close_by),
+                                      std::lround(one.height / layer), static_cast<long>(one.sensor)};
     const Point2 middle{close_by * static_cast<double>(cell[0]), close_by * static_cast<double>(cell[1])};
     const double off = one.off + length_of(one.place - middle);
-    KeptPlace& kept = some.emplace(cell, KeptPlace{middle, one.height, off}).first->second;
+    KeptPlace& kept = some.emplace(cell, KeptPlace{middle, one.height, off, one.sensor}).first->second;
     kept.off = std::max(kept.off, off);
   }
   std::vector<KeptPlace> places;
@@ -39,6 +41,27 @@ std::vector<KeptPlace> some_of(const std::vector<KeptPlace>& all) {
 }
 
 long in_millimetres(double value) { return std::lround(value / millimetre); }
+
+std::vector<std::vector<KeptPlace>> by_sensor(const std::vector<KeptPlace>& all) {
+  std::vector<std::vector<KeptPlace>> of_each;
+  for (const KeptPlace& one : all) {
+    of_each.resize(std::max(of_each.size(), one.sensor + 1));
+    of_each[one.sensor].push_back(one);
+  }
+  return of_each;
+}
+
+std::string name_in(const std::vector<std::string>& names, std::size_t sensor) {
+  return sensor < names.size() && !names[sensor].empty() ? names[sensor] : no_name;
+}
+
+void write(const std::vector<KeptPlace>& places, std::ostream& to) {
+  to << ' ' << places.size();
+  for (const KeptPlace& one : places) {
+    to << ' ' << in_millimetres(one.place.x) << ' ' << in_millimetres(one.place.y) << ' ' << in_millimetres(one.height)
+       << ' ' << in_millimetres(std::min(one.off, farthest - millimetre) + almost_half);
+  }
+}
 
 KeptPlace place_in(Reader& reader) {
   const auto metres = [&](double least) {
@@ -60,10 +83,12 @@ std::string to_text(const KeptPlaces& kept) {
   std::ostringstream text;
   text.precision(15);
   text << version << ' ' << kept.stamp << ' ' << kept.robot.place.x << ' ' << kept.robot.place.y << ' '
-       << kept.robot.heading << ' ' << places.size();
-  for (const KeptPlace& one : places) {
-    text << ' ' << in_millimetres(one.place.x) << ' ' << in_millimetres(one.place.y) << ' '
-         << in_millimetres(one.height) << ' ' << in_millimetres(std::min(one.off, farthest - millimetre) + almost_half);
+       << kept.robot.heading;
+  const auto of_each = by_sensor(places);
+  text << ' ' << of_each.size();
+  for (std::size_t sensor = 0; sensor < of_each.size(); ++sensor) {
+    text << ' ' << name_in(kept.sensors, sensor);
+    write(of_each[sensor], text);
   }
   text << ' ' << end;
   return text.str();
@@ -78,8 +103,16 @@ std::optional<KeptPlaces> kept_places_in(const std::string& text) {
   kept.robot.place.x = reader.number(-any, any);
   kept.robot.place.y = reader.number(-any, any);
   kept.robot.heading = reader.number(-any, any);
-  const std::size_t places = reader.count(most);
-  for (std::size_t i = 0; i < places && reader.good(); ++i) kept.all.push_back(place_in(reader));
+  const std::size_t sensors = reader.count(most_sensors);
+  for (std::size_t sensor = 0; sensor < sensors && reader.good(); ++sensor) {
+    const std::string name = reader.word();
+    kept.sensors.push_back(name == no_name ? "" : name);
+    const std::size_t places = reader.count(most);
+    for (std::size_t i = 0; i < places && reader.good(); ++i) {
+      kept.all.push_back(place_in(reader));
+      kept.all.back().sensor = sensor;
+    }
+  }
   if (!reader.good() || reader.word() != end) return std::nullopt;
   return kept;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,8 +12,9 @@ namespace safety_control_cloud {
 
 /// One of the places that are kept of what has left the picture.
 struct KeptPlace {
-  Point2 place;        ///< [m] in base_frame
-  double height, off;  ///< [m] above it; by which it may be displaced
+  Point2 place;            ///< [m] in base_frame
+  double height, off;      ///< [m] above it; by which it may be displaced
+  std::size_t sensor = 0;  ///< that showed it last
 };
 
 /// What of them is written down, to outlive the process.
@@ -20,10 +22,11 @@ struct KeptPlaces {
   double stamp = 0.0;  ///< [s, ROS time] of the pose
   Pose2 robot;         ///< in the frame of odometry
   std::vector<KeptPlace> all;
+  std::vector<std::string> sensors = {};  ///< the names of those that showed them
 };
 
-/// A line of text of at most 50 kilobytes: of places that lie close to each other one, which may be displaced by as
-/// much more, and the nearest of too many. Empty if there is none.
+/// A line of text of at most 50 kilobytes: of places that lie close to each other and were shown by one sensor one,
+/// which may be displaced by as much more, and the nearest of too many. Empty if there is none.
 std::string to_text(const KeptPlaces& kept);
 
 /// What was written down; none if the text is not whole, or of another version.

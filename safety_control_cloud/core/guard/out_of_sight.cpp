@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "cell_key.hpp"
@@ -179,20 +180,25 @@ void OutOfSight::go_on_in_frame(const Whereabouts& robot, const Whereabouts& the
 std::vector<KeptPlace> OutOfSight::placed(const Whereabouts& robot, double now) const {
   std::vector<KeptPlace> places;
   for_each(robot, now, [&](const Place& place, const Here& here) {
-    places.push_back({here.place, place.z, here.off - own_size});
+    places.push_back({here.place, place.z, here.off - own_size, here.look.sensor});
   });
   return places;
 }
 
-void OutOfSight::recall(const std::vector<KeptPlace>& places, std::size_t sensor, const Whereabouts& there,
-                        double now) {
-  drift(looks_.take_placed(sensor, there, now), there.pose.place);
+void OutOfSight::recall(const std::vector<KeptPlace>& places, const Whereabouts& there, double now) {
+  std::map<std::size_t, std::uint64_t> looks;
+  for (const KeptPlace& one : places) looks[one.sensor] = 0;
+  for (auto& [sensor, look] : looks) {
+    drift(looks_.take_placed(sensor, there, now), there.pose.place);
+    look = looks_.latest();
+  }
   const Turn turn(there.pose.heading);
   for (const KeptPlace& one : places) {
     const Point2 at = there.pose.place + turn(one.place);
     const auto height = static_cast<float>(one.height);
-    add_to(places_, {at.x, at.y, height, {height, height}, looks_.latest(), now, now, one.off, 0.0, believed});
+    add_to(places_, {at.x, at.y, height, {height, height}, looks[one.sensor], now, now, one.off, 0.0, believed});
   }
+  for (const auto& [sensor, look] : looks) looks_.take(sensor, now);  // what it shows by now is not that
 }
 
 std::vector<KnownPlace> OutOfSight::resting(const Outlook& camera, const Whereabouts& robot, double now) const {

@@ -58,11 +58,12 @@ class OutOfSight {
   /// What is kept, around the robot.
   std::vector<KeptPlace> placed(const Whereabouts& robot, double now) const;
 
-  /// From now on these too are kept, as if `sensor` had shown them to a robot that was there.
-  void recall(const std::vector<KeptPlace>& places, std::size_t sensor, const Whereabouts& there, double now);
+  /// From now on these too are kept, as if their sensors had shown them, before they look again, to a robot that was
+  /// there.
+  void recall(const std::vector<KeptPlace>& places, const Whereabouts& there, double now);
 
-  /// Whether somebody asks for a place in base_frame that a sensor saw, a part of what stood or hung there between these
-  /// heights, or up to `off` [m] elsewhere.
+  /// Whether somebody asks for a place in base_frame that a sensor saw, a part of what stood or hung there between
+  /// these heights, or up to `off` [m] elsewhere.
   using AsksFor = std::function<bool(std::size_t sensor, const Point2& place, const Heights& heights, double off)>;
 
   struct Rings {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "robot_with_odometry.hpp"
+#include "robot_with_sensors.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -71,6 +72,19 @@ TEST(KeptPlaces, WhatLiesFarAwayOrMayBeAnywhereKeepsNothingElseFromBeingRead) {
   EXPECT_EQ(read->all.size(), kept.all.size());
 }
 
+TEST(KeptPlaces, EachIsOfTheSensorThatShowedIt) {
+  KeptPlaces kept = some(3, 1.5);
+  for (std::size_t i = 0; i < 3; ++i) kept.all[i].sensor = 2 - i;
+  kept.sensors = {"front", "rear", "laser"};
+  const auto read = kept_places_in(to_text(kept));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->sensors, kept.sensors);
+  for (const KeptPlace& one : read->all) {
+    const auto is_it = [&](const KeptPlace& place) { return length_of(place.place - one.place) < 0.03; };
+    EXPECT_EQ(one.sensor, std::find_if(kept.all.begin(), kept.all.end(), is_it)->sensor);
+  }
+}
+
 TEST(KeptPlaces, OfNoneNothingIsWritten) { EXPECT_EQ(to_text(KeptPlaces{}), ""); }
 
 TEST(KeptPlaces, WhatIsNotWholeIsNotRead) {
@@ -78,9 +92,9 @@ TEST(KeptPlaces, WhatIsNotWholeIsNotRead) {
   ASSERT_TRUE(kept_places_in(text));
   for (std::size_t length = 0; length + 1 < text.size(); ++length)
     EXPECT_FALSE(kept_places_in(text.substr(0, length))) << length;
-  EXPECT_FALSE(kept_places_in("places-1 nan 0 0 0 1 1 1 1 1 end"));
-  EXPECT_FALSE(kept_places_in("places-1 1 0 0 0 1 1 1 1 -1 end"));
-  EXPECT_FALSE(kept_places_in("places-1 1 0 0 0 4294967295 end"));
+  EXPECT_FALSE(kept_places_in("places-2 nan 0 0 0 1 - 1 1 1 1 1 end"));
+  EXPECT_FALSE(kept_places_in("places-2 1 0 0 0 1 - 1 1 1 1 -1 end"));
+  EXPECT_FALSE(kept_places_in("places-2 1 0 0 0 1 - 4294967295 end"));
 }
 
 /// A robot that has turned away from a post, which is on its right; and one that goes on after it was killed.
@@ -204,6 +218,47 @@ TEST(KeptPlaces, WhatHasGoneMeanwhileIsSeenToBeGone) {
   restarted.next.passes(0.3, Scene({wall_before(1.5)}));
   restarted.next.turns(quarter, restarted.next.hall);
   EXPECT_EQ(restarted.next.asked(right).factor, 1.0) << restarted.next.wants(right).reason;
+}
+
+/// Its laser alone shows what stands behind it; odometry says that it stands.
+struct RobotWithLaserBehind : RobotWithSensors {
+  RobotWithLaserBehind() : RobotWithSensors(remembering_with_sensors()) { rear_shows = false; }
+
+  static Settings remembering_with_sensors() {
+    Settings settings = with_sensors();
+    settings.memory_distance = 1.5;
+    return settings;
+  }
+
+  void passes(double seconds) {
+    for (double t = 0.0; t < seconds; t += 0.05) {
+      control.note_odometry(now.ros, {}, {});
+      drives_on({});
+    }
+  }
+
+  void shows_behind(float range) {
+    std::fill(ranges.begin(), ranges.begin() + 10, range);
+    std::fill(ranges.end() - 10, ranges.end(), range);
+  }
+};
+
+TEST(KeptPlaces, WhatALaserShowedIsSeenToHaveGoneByItThoughACameraLooksFirst) {
+  const Twist2 back{-0.3, 0.0, 0.0};
+  RobotWithLaserBehind robot, next;
+  robot.passes(1.0);
+  robot.shows_behind(0.4f);
+  robot.passes(1.0);
+  ASSERT_LT(robot.wants(back).factor, 1.0) << robot.wants(back).reason;
+  next.now = robot.now;
+  ASSERT_TRUE(next.control.recall(robot.control.remembered()));
+  next.laser_shows = false;
+  next.passes(0.4);
+  next.laser_shows = true;
+  next.passes(0.05);
+  EXPECT_LT(next.wants(back).factor, 1.0) << "not by one scan: " << next.wants(back).reason;
+  next.passes(2.0);
+  EXPECT_EQ(next.wants(back).factor, 1.0) << next.wants(back).reason;
 }
 
 }  // namespace
