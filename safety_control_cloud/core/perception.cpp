@@ -51,6 +51,7 @@ std::vector<std::string> Perception::remembered() const {
   for (const GuardSensor& sensor : sensors_) texts.push_back(named(written_name(sensor), sensor.remembered()));
   for (const std::string& text : unplaced_.texts()) texts.push_back(text);
   texts.push_back(memory_.remembered());
+  if (auto touched = closed_.remembered(); !touched.empty()) texts.push_back(std::move(touched));
   return texts;
 }
 
@@ -68,6 +69,7 @@ std::string Perception::written_name(const GuardSensor& sensor) const {
 /// Who goes on with a line already, does not take another one in its place.
 bool Perception::go_on_with(const std::string& line) {
   if (memory_.remembered().empty() && memory_.recall(line)) return true;
+  if (closed_.remembered().empty() && closed_.recall(line)) return true;
   const std::size_t end = line.find(after_name);
   const bool is_named = end != std::string::npos;
   const std::string name = is_named ? line.substr(0, end) : "";

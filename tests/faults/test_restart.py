@@ -15,6 +15,7 @@ from guarded import guarded_robot, twist
 from lost_board import BOARD, FREE, PASSED, robot_that_lost_a_board
 from robot import NODE, START, Heard, after, eventually, node_under_test, robot_with
 from scenes import hall, wall
+from std_msgs.msg import Bool
 from std_srvs.srv import Trigger
 
 from safety_control_cloud.msg import SafetyState
@@ -99,6 +100,25 @@ def test_what_a_guard_lost_is_lost_for_a_node_in_mode_drive_and_for_the_next_gua
                 robot.camera.show(FREE)
                 robot.passes(twist(0.2))
         commands.close()
+
+
+def test_what_touches_a_guard_that_is_killed_touches_the_next_one(master):
+    rospy.set_param(NODE + "/switches", [{"name": "front", "type": "bumper", "topic": "bumper", "side": "front"}])
+    bumper = rospy.Publisher("/bumper", Bool, queue_size=1)
+    with guarded_robot() as robot:
+        robot.driver.say(twist(0.2))
+        robot.passes(twist(0.2))
+        eventually(bumper.get_num_connections)
+        bumper.publish(True)
+        robot.stands("BUMPER")
+        eventually(lambda: any(rospy.get_param(NODE + "_lost/things")))
+        with killed_and_started_again(robot, "_mode:=guard"):
+            state = robot.stands("BUMPER")
+            assert state.sensor == "front" and "~reset" in state.hint
+            eventually(bumper.get_num_connections)
+            bumper.publish(False)
+            robot.passes(twist(0.2))
+    bumper.unregister()
 
 
 def test_what_a_camera_lost_that_bears_another_name_by_now_stops_the_robot_until_reset(master):

@@ -3,13 +3,19 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
+#include <utility>
 
+#include "../text/reader.hpp"
 #include "../text/words.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
 const std::vector<Ring> nothing_seen;
+constexpr const char* version = "touched-1";
+constexpr const char* end = "end";
+constexpr std::size_t most = 1000;  ///< edges
 
 Known said_by(const SwitchSettings& one) {
   Known known;
@@ -41,6 +47,37 @@ void ClosedEdges::reset() {
     for (auto& [edge, word] : state.words)
       if (word.is_left) word = {};
   }
+}
+
+std::string ClosedEdges::remembered() const {
+  std::ostringstream edges;
+  std::size_t count = 0;
+  for (const State& state : states_) {
+    for (const auto& [edge, word] : state.words) {
+      if (!word.touched) continue;
+      edges << ' ' << state.settings.name << ' ' << name_of(edge);
+      ++count;
+    }
+  }
+  return count == 0 ? std::string() : words(version, ' ', count, edges.str(), ' ', end);
+}
+
+bool ClosedEdges::recall(const std::string& remembered) {
+  Reader reader(remembered);
+  if (reader.word() != version) return false;
+  auto states = states_;
+  const std::size_t count = reader.count(most);
+  for (std::size_t i = 0; i < count && reader.good(); ++i) {
+    const std::string name = reader.word();
+    const auto is_it = [&](const State& state) { return state.settings.name == name; };
+    const auto state = std::find_if(states.begin(), states.end(), is_it);
+    const auto edge = edge_named(reader.word());
+    if (state == states.end() || !edge) return false;
+    state->words[*edge] = {true, 0.0, true};
+  }
+  if (!reader.good() || reader.word() != end) return false;
+  states_ = std::move(states);
+  return true;
 }
 
 double ClosedEdges::until_silent(double now) const {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "known.hpp"
@@ -24,6 +25,13 @@ class ClosedEdges {
 
   /// What was said by who is no more is forgotten: somebody has looked.
   void reset();
+
+  /// Which edges are touched, for another process to go on with; empty if none is.
+  std::string remembered() const;
+
+  /// Goes on with that, as with what was said by who is no more: its driver may say nothing for as long as it is
+  /// touched. False, and nothing changes, if it is not legible or tells of a switch that is not there.
+  bool recall(const std::string& remembered);
 
   /// What speaks against a switch that its messages do not tell; none: nothing any more.
   void note_outside(std::size_t which, std::optional<Doubt> doubt) { states_[which].outside = std::move(doubt); }

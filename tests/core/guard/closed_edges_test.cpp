@@ -196,5 +196,49 @@ TEST(ClosedEdges, AWayOutThatNobodySeesIsNoneWhereThatIsForbidden) {
   EXPECT_EQ(robot.goes_on(0.5, backward).factor, 0.0);
 }
 
+/// The node ends and begins again while something is touched, of which a Kobuki says nothing more.
+TEST(ClosedEdges, ATouchOutlivesTheProcess) {
+  Robot robot, next, other;
+  robot.says(kobuki, Edge::FrontLeft, true);
+  robot.says(cliff, Edge::FrontLeft, true);
+  robot.says(cliff, Edge::FrontLeft, false);
+  const auto remembered = robot.control.remembered();
+  ASSERT_TRUE(next.control.recall(remembered));
+  const Guarded& answer = next.goes_on(5.0, forward);
+  EXPECT_EQ(answer.factor, 0.0);
+  EXPECT_EQ(answer.cause, Cause::Bumper);
+  EXPECT_EQ(answer.sensor, "kobuki");
+  EXPECT_FALSE(answer.hint.empty());
+  EXPECT_EQ(next.control.remembered(), remembered) << "and the next one";
+  next.says(kobuki, Edge::FrontLeft, false);
+  EXPECT_EQ(next.goes_on(2.0, forward).factor, 1.0) << next.wants(forward).reason;
+  ASSERT_TRUE(other.control.recall(remembered));
+  other.control.forget_losses();
+  EXPECT_EQ(other.goes_on(2.0, forward).factor, 1.0) << other.wants(forward).reason;
+}
+
+TEST(ClosedEdges, ATouchOfASwitchThatIsNotThereByNowClosesAllUntilReset) {
+  Robot robot;
+  robot.says(kobuki, Edge::FrontLeft, true);
+  Settings without = with_switches();
+  without.switches.pop_back();
+  Robot next(without);
+  EXPECT_FALSE(next.control.recall(robot.control.remembered()));
+  EXPECT_EQ(next.goes_on(2.0, backward).factor, 0.0);
+  next.control.forget_losses();
+  EXPECT_EQ(next.goes_on(2.0, forward).factor, 1.0) << next.wants(forward).reason;
+}
+
+TEST(ClosedEdges, WhatIsNotLegibleTouchesNothing) {
+  ClosedEdges edges(with_switches().switches);
+  for (const char* text :
+       {"", "touched-1", "touched-1 1 bumper", "touched-1 1 bumper front", "touched-1 1 bumper top end",
+        "touched-1 2 bumper front end", "touched-1 1 other front end", "touched-2 1 bumper front end"})
+    EXPECT_FALSE(edges.recall(text)) << text;
+  EXPECT_TRUE(edges.known_at(100.0, 0.5).empty());
+  EXPECT_TRUE(edges.recall("touched-1 1 bumper front end"));
+  EXPECT_EQ(edges.known_at(100.0, 0.5).size(), std::size_t{1});
+}
+
 }  // namespace
 }  // namespace safety_control_cloud
