@@ -22,7 +22,7 @@ TESTED_AS = {
                     "guard_control_test, surroundings_test: what the robot is let do of what several eyes saw"),
     **dict.fromkeys(["memory/following", "memory/losses", "memory/near_ground", "memory/near_pixels",
                      "memory/near_things", "memory/pixels", "memory/raster", "memory/ray_hits", "memory/settings",
-                     "memory/things_memory"],
+                     "memory/things_memory", "memory/written"],
                     "near_loss_test, things_test, together_test: the rules of one memory, of which none shows by itself"),
 }
 

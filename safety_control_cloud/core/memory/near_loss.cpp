@@ -28,8 +28,6 @@ constexpr double cut_off = 0.05;
 /// So much farther than what counts, things are watched.
 constexpr double watched = 1.6;
 
-constexpr double write_period = 0.25;  // [s]
-
 constexpr const char* what_frees =
     "the camera sees what is behind it, or the near floor on which it stood, or after ~reset, when somebody has looked";
 
@@ -43,16 +41,6 @@ bool is_picture(const View& view) {
   constexpr std::size_t most = std::numeric_limits<std::uint16_t>::max();
   const std::size_t width = width_of(view), height = height_of(view);
   return width >= 2 && height >= 2 && width <= most && height <= most;
-}
-
-/// Of a head that turned since, a spot that is asked about along another axis than the text tells of.
-bool is_any_lost_elsewhere(const std::vector<Remembered>& things, const std::optional<Axis>& axis) {
-  const auto is_elsewhere = [&](const Spot& spot) {
-    return spot.axis && axis && !are_same(*spot.axis, *axis, same_axis);
-  };
-  return std::any_of(things.begin(), things.end(), [&](const Remembered& thing) {
-    return std::any_of(thing.lost.begin(), thing.lost.end(), is_elsewhere);
-  });
 }
 
 }  // namespace
@@ -102,7 +90,7 @@ void NearLoss::note_blind(const View& view, const Sight& sight, const Outlook& o
   if (limits_.distance <= 0.0 || !goes_on_along(outlook)) return;
   const bool any =
       is_picture(view) ? note_picture(view, sight, outlook) : shows_near(sight, outlook) && note_points(view, outlook);
-  if (any) write_down(written_lost_, now);
+  if (any) write_down(written_.is_any_lost(), now);
 }
 
 bool NearLoss::note_picture(const View& view, const Sight& sight, const Outlook& outlook) {
@@ -213,52 +201,35 @@ void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, 
 }
 
 void NearLoss::write_down(bool lost, double now) {
-  const auto is_near = [this](const Remembered& thing) {
-    return !thing.lost.empty() || thing.seen.nearest < near_distance();
+  const auto kept = [this] {
+    return Kept{frame_.width, frame_.height,     things_.blind_range(), things_.things(),
+                low_.floor(), low_.any_beside(), things_.axis()};
   };
-  const auto& things = things_.things();
-  const bool any_near = std::any_of(things.begin(), things.end(), is_near);
-  const bool changed = lost != written_lost_ || any_near != written_near_;  // a kerb is written though none is near
-  if (!changed && now - written_at_ < write_period) return;
-  std::vector<Remembered> near;
-  std::copy_if(things.begin(), things.end(), std::back_inserter(near), is_near);
-  const bool more = low_.any_beside() || is_any_lost_elsewhere(near, things_.axis());
-  text_ = to_text(
-      {frame_.width, frame_.height, things_.blind_range(), std::move(near), low_.floor(), more, things_.axis()});
-  written_at_ = now;
-  written_lost_ = lost;
-  written_near_ = any_near;
+  written_.bring_up_to_date(things_.things(), near_distance(), lost, now, kept);
 }
 
 bool NearLoss::restore(const std::string& text) {
-  auto kept = kept_in(text);
-  if (!kept) return false;
+  Written written;
+  if (!written.read(text)) return false;
   forget();
-  text_ = text;
-  awaited_ = std::move(kept);
-  if (!awaited_->axis) take_up_awaited();
+  written_ = std::move(written);
   return true;
 }
 
-/// In the picture of a camera that looked along another axis, each of them would be asked about at another's place.
+/// Where what another process lost lies is known from the first picture of a camera that looks as its camera did.
 bool NearLoss::goes_on_along(const Outlook& outlook) {
-  if (!awaited_) return true;
   const Axis axis = axis_of(outlook);
-  if (!are_same(axis, *awaited_->axis, same_axis)) return false;
-  take_up_awaited();
+  const auto kept = written_.taken_up(axis);
+  if (!kept) return !written_.waits();
+  frame_ = {kept->width, kept->height, {}};
+  low_.move_to(frame_);
+  things_.restore(kept->things, kept->blind_range);
+  low_.restore(kept->low);
   things_.for_each_spot([&](Spot& spot) {
     spot.axis = axis;
     spot.place = placed(spot.point, outlook);
   });
   return true;
-}
-
-void NearLoss::take_up_awaited() {
-  const Kept kept = *std::exchange(awaited_, std::nullopt);
-  frame_ = {kept.width, kept.height, {}};
-  low_.move_to(frame_);
-  things_.restore(kept.things, kept.blind_range);
-  low_.restore(kept.low);
 }
 
 std::optional<Loss> NearLoss::lost_elsewhere(const Patience& patience) {
@@ -298,7 +269,7 @@ void NearLoss::turn_corridor(double angle) {
   backdrop_ = Backdrop{};
   things_.stay();
   things_.turn_corridor(angle);
-  if (awaited_) awaited_->axis = axis_turned(*awaited_->axis, angle);
+  written_.turn_corridor(angle);
 }
 
 }  // namespace safety_control_cloud

@@ -10,7 +10,6 @@
 #include "backdrop.hpp"
 #include "floor_strip.hpp"
 #include "frame.hpp"
-#include "kept.hpp"
 #include "losses.hpp"
 #include "low_obstacles.hpp"
 #include "margins.hpp"
@@ -19,6 +18,7 @@
 #include "raster.hpp"
 #include "settings.hpp"
 #include "things_memory.hpp"
+#include "written.hpp"
 
 namespace safety_control_cloud {
 
@@ -43,7 +43,7 @@ class NearLoss {
 
   /// What is lost or near, in some kilobytes of text, to outlive the process; empty if nothing is.
   /// Brought up to date four times a second, and at once when something is lost or found or nothing is near any more.
-  const std::string& serialised() const { return text_; }
+  const std::string& serialised() const { return written_.text(); }
   /// Goes on with what was written down, once the camera looks as it did then: until then something is lost, wherever
   /// it looks. False, and nothing changes, if that makes no sense.
   bool restore(const std::string& text);
@@ -68,7 +68,7 @@ class NearLoss {
   void note_blind(const View& view, const Sight& sight, const Outlook& outlook, double now);
 
   /// Whether anything was near when it was shown last, or is lost.
-  bool is_any_near() const { return written_near_ || awaited_; }
+  bool is_any_near() const { return written_.is_any_near(); }
 
   /// The number of the latest picture in which anything was near, or might have been.
   std::uint32_t picture() const { return things_.picture(); }
@@ -78,7 +78,6 @@ class NearLoss {
                                       const Patience& patience);
   std::optional<Loss> judge_points(const View& view, const Sight& sight, const Outlook& outlook,
                                    const Patience& patience);
-  void take_up_awaited();
   bool goes_on_along(const Outlook& outlook);
   std::optional<Loss> lost_elsewhere(const Patience& patience);
   bool note_picture(const View& view, const Sight& sight, const Outlook& outlook);
@@ -114,12 +113,8 @@ class NearLoss {
   Margins margins_;
   Backdrop backdrop_;
   ThingsMemory things_;
-  std::optional<Kept> awaited_;       ///< what was written down along an axis that the camera has not looked along yet
   std::optional<double> lost_since_;  ///< [s] anything, without a break
-  std::string text_;
-  double written_at_ = 0.0;    ///< [s]
-  bool written_lost_ = false;  ///< whether anything was lost then
-  bool written_near_ = false;  ///< or near
+  Written written_;
 };
 
 }  // namespace safety_control_cloud
