@@ -20,6 +20,11 @@ OutOfSightLimits limits_by(const Settings& settings) {
           settings.obstacle_speed};
 }
 
+/// A sensor in a text: what a camera showed is no scan's, whatever that is named by now.
+std::string written_name(const SensorSettings& sensor) {
+  return (sensor.type == InputKind::Scan ? "scan/" : "") + sensor.name;
+}
+
 /// Of a sensor that has another name by now, a camera takes them over: a scan would forget what lies beside its plane.
 std::vector<KeptPlace> in_order_of(const std::vector<SensorSettings>& sensors, const KeptPlaces& kept) {
   const auto first = [&](const auto& fits) {
@@ -28,7 +33,7 @@ std::vector<KeptPlace> in_order_of(const std::vector<SensorSettings>& sensors, c
   const std::size_t camera = first([](const SensorSettings& one) { return one.type != InputKind::Scan; });
   std::vector<std::size_t> by_now;
   for (const std::string& name : kept.sensors) {
-    const std::size_t same = first([&](const SensorSettings& one) { return one.name == name; });
+    const std::size_t same = first([&](const SensorSettings& one) { return written_name(one) == name; });
     by_now.push_back(same < sensors.size() ? same : camera < sensors.size() ? camera : 0);
   }
   std::vector<KeptPlace> places = kept.all;
@@ -71,7 +76,7 @@ std::string GuardMemory::remembered() const {
   const Whereabouts& robot = latest_->robot;
   const Whereabouts there{robot.pose, {}, robot.drift, robot.unexplained};
   std::vector<std::string> names;
-  for (const SensorSettings& sensor : sensors_) names.push_back(sensor.name);
+  for (const SensorSettings& sensor : sensors_) names.push_back(written_name(sensor));
   return to_text({latest_->stamp, robot.pose, out_of_sight_.placed(there, latest_->at), names});
 }
 
@@ -110,8 +115,7 @@ bool GuardMemory::note_breaks(const Went& went, const Instant& now) {
   if (went.odometry.breaks() == breaks_) return false;
   if (by_odometry_ && out_of_sight_.holds_any(now.steady)) jumped_ = looks_since(went, now);
   breaks_ = went.odometry.breaks();
-  if (!by_odometry_) return false;
-  go_on_as_told(now);
+  if (by_odometry_) go_on_as_told(now);
   return true;
 }
 

@@ -9,6 +9,7 @@
 #include "guard/facing.hpp"
 #include "look/field_of_view.hpp"
 #include "look/outlook.hpp"
+#include "memory/patience.hpp"
 #include "speed/speed.hpp"
 #include "text/reader.hpp"
 #include "text/words.hpp"
@@ -93,7 +94,9 @@ std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origi
   const std::uint32_t before = sensor_.picture();
   sensor_.see(reading, facing, now, Crop::Skip, alongside ? &*alongside : nullptr);
   is_new_picture_ = sensor_.picture() != before;
-  if (!std::holds_alternative<Seen>(sensor_.answer())) return std::nullopt;
+  const auto* doubt = std::get_if<Doubt>(&sensor_.answer());
+  if (doubt && doubt->cause == Cause::Blind && sensor_.is_any_near()) has_lost_ = true;  // it may be before that
+  if (doubt) return std::nullopt;
   was_sound_ = true;
   note_loss();
   const Outlook upright = sensor_.upright(std::get<Outlook>(outlook));  // there is, or nothing were seen
@@ -103,8 +106,8 @@ std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origi
 /// As the latest reading that is believed has it.
 void GuardSensor::note_loss() {
   const auto& seen = std::get<Seen>(sensor_.answer());
-  has_lost_ = seen.loss && !is_explained_;
-  is_lost_ahead_ = has_lost_ && seen.loss->cause == Cause::NearLoss;
+  has_lost_ = seen.loss.has_value();
+  is_lost_ahead_ = has_lost_ && seen.loss->cause == Cause::NearLoss && !is_explained_;
 }
 
 void GuardSensor::forget_losses() {
@@ -125,9 +128,10 @@ bool GuardSensor::recall(const std::string& remembered) {
   Reader reader(remembered);
   const bool is_turned = reader.word() == facing_word;
   const double facing = is_turned ? reader.number(-half_turn, half_turn) : 0.0;
-  if (!reader.good() || !sensor_.recall(is_turned ? reader.rest() : remembered)) return false;
+  const std::string text = is_turned ? reader.rest() : remembered;
+  if (!reader.good() || (is_turned && text.empty()) || !sensor_.recall(text)) return false;
   lost_ = LostSpots{};
-  if (remembered.empty()) return true;
+  if (!sensor_.is_recalled()) return true;
   sensor_.adopt(sensor_settings(own_, facing));
   facing_ = facing;
   has_lost_ = is_lost_ahead_ = true;
@@ -265,9 +269,12 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
   return known;
 }
 
-std::optional<Known> GuardSensor::left_behind(const Known& known) const {
-  if (!known.doubt) return sensor_.is_any_near() && !known.is_placed ? std::optional(known) : std::nullopt;
-  if (!has_lost_ && !sensor_.is_recalled()) return std::nullopt;
+std::optional<Known> GuardSensor::left_behind(const Known& known, double memory_time, double now) const {
+  const double since = last_arrival_ ? now - *last_arrival_ : 0.0;
+  const bool is_kept_as_places = is_explained_ && since <= memory_time;
+  const bool is_forgotten = Patience{since, own_.near_loss.timeout}.ends(0.0);
+  if (!has_lost_ || is_kept_as_places || is_forgotten) return std::nullopt;
+  if (!known.doubt) return known;
   static const std::vector<Ring> nothing;
   Known left;
   left.sensor = about_.name;

@@ -55,8 +55,9 @@ class GuardSensor {
   Known known_at(const Instant& now, const Odometry& odometry, const Given& given) const;
 
   /// Of what it lets one know while it is in doubt and not required: what it had lost from sight before closes every
-  /// way but away from there all the same, and so does what was near when it went blind; none: there is no such thing.
-  std::optional<Known> left_behind(const Known& known) const;
+  /// way but away from there all the same, and so does what was near when it went blind; none: there is no such thing,
+  /// or it is kept as places for `memory_time` [s]. `now` [s] steady.
+  std::optional<Known> left_behind(const Known& known, double memory_time, double now) const;
 
   /// Whether what it shows was taken after this stamp [s, ROS], or that it is blind, so that only away from where it
   /// looks is open.
@@ -124,7 +125,7 @@ class GuardSensor {
   Settings straight_;  ///< by which all of its points are taken, whichever way it looks
   Law law_;
   double facing_ = 0.0;         ///< [rad] from base_frame's x axis: where the corridor leads that it looks down
-  bool has_lost_ = false;       ///< something, of which nobody else knows where it is
+  bool has_lost_ = false;       ///< something, or it is blind before what was near
   bool is_lost_ahead_ = false;  ///< something, in that corridor, of which nobody else knows where it is
   Sensor sensor_;
   Surroundings around_;

@@ -132,7 +132,8 @@ std::vector<Known> Perception::known_at(const Instant& now, const Given& given, 
       doubts.push_back(words(sensor.name(), ": ", name_of(known.lost->cause), ", before what is known to stand there"));
     const bool is_absent = known.doubt || (known.lost && known.lost->cause == Cause::Blind);
     if (is_absent && !sensor.is_required() && !sensor.is_awaited()) {
-      if (auto behind = sensor.left_behind(known)) left.push_back(*std::move(behind));
+      if (auto behind = sensor.left_behind(known, settings_.memory_time, now.steady))
+        left.push_back(*std::move(behind));
       continue;
     }
     if (outside_) known.doubt = outside_;

@@ -96,7 +96,9 @@ class Sensor {
   /// Goes on with what another process remembered. Text that makes no sense changes nothing.
   bool recall(const std::string& remembered) {
     if (remembered.empty()) return true;
-    return recalled_ = near_loss_.restore(remembered);
+    if (!near_loss_.restore(remembered)) return false;
+    recalled_ = near_loss_.waits();
+    return true;
   }
 
  private:

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* version = "places-2";
 constexpr const char* end = "end";
-constexpr const char* no_name = "-";  // of the only sensor, which has none
+constexpr const char* no_name = "-";
 constexpr std::size_t most_sensors = 100;
 constexpr double close_by = 0.04, layer = 0.1;  ///< [m] across and up
 constexpr std::size_t most = 2000;              ///< places

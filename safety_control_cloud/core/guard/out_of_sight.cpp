@@ -32,7 +32,9 @@ std::uint64_t key_of(const Point2& place, double height) { return key_of_cell(pl
 /// Beside what has the same cell.
 void add_to(std::unordered_map<std::uint64_t, RememberedPlace>& places, const RememberedPlace& place) {
   const std::uint64_t key = key_of({place.x, place.y}, place.z);
-  if (!places.emplace(key, place).second) places.emplace(key | elsewhere, place);
+  if (places.emplace(key, place).second) return;
+  const auto [beside, is_new] = places.emplace(key | elsewhere, place);
+  if (!is_new) beside->second.off = std::max(beside->second.off, place.off);
 }
 
 /// By how much it may have been displaced.

@@ -10,10 +10,10 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr const char* version = "things-1";
+constexpr const char* version = "things-2";
 constexpr const char* end = "end";
 constexpr const char* looks = "looks";                                      // before which way the camera did
-constexpr const char* too_much = "things-1 more is lost than can be told";  // which kept_in refuses
+constexpr const char* too_much = "things-2 more is lost than can be told";  // which kept_in refuses
 constexpr std::size_t most_things = 32, most_spots = 12, most_spots_lost = 8;
 constexpr std::size_t most_columns = NearGround::most_columns * 2, most_pixels = 65535;
 
@@ -36,6 +36,39 @@ std::vector<Spot> spots_of(const Remembered& thing) {
   return spots;
 }
 
+const Axis& axis_of(const std::vector<Spot>& lost, const std::vector<Spot>& seen) {
+  static const Axis ahead;
+  const Spot& first = lost.empty() ? seen.front() : lost.front();
+  return first.axis ? *first.axis : ahead;
+}
+
+std::vector<Spot> taken_along(const Axis& axis, std::vector<Spot>& spots) {
+  const auto other = std::stable_partition(spots.begin(), spots.end(), [&](const Spot& spot) {
+    return !spot.axis || are_same(*spot.axis, axis, same_axis);
+  });
+  std::vector<Spot> along(spots.begin(), other);
+  spots.erase(spots.begin(), other);
+  return along;
+}
+
+std::vector<Remembered> parted_by_axis(std::vector<Remembered> things) {
+  std::vector<Remembered> parts;
+  for (Remembered& thing : things) {
+    const double size = thing.size;
+    bool is_whole = true;
+    while (!thing.lost.empty() || thing.is_seen()) {
+      const Axis axis = axis_of(thing.lost, thing.seen.spots);
+      Remembered part = thing;
+      part.lost = taken_along(axis, thing.lost);
+      part.seen.spots = taken_along(axis, thing.seen.spots);
+      is_whole = is_whole && thing.lost.empty() && !thing.is_seen();
+      if (!is_whole) part.size = std::min(size, size_of(part.lost) + size_of(part.seen.spots));
+      parts.push_back(std::move(part));
+    }
+  }
+  return parts;
+}
+
 bool is_any_lost(const Remembered& thing) { return !thing.lost.empty(); }
 
 /// All that are lost, and of those that are only seen, and will be seen again, the nearest.
@@ -48,6 +81,11 @@ std::vector<Remembered> as_many_of(std::vector<Remembered> things) {
   return things;
 }
 
+void write(const Axis& axis, std::ostream& to) {
+  for (const auto& direction : {axis.ahead, axis.right})
+    for (const float part : direction) to << ' ' << part;
+}
+
 void write(const Remembered& thing, std::ostream& to) {
   const auto spots = spots_of(thing);
   to << ' ' << thing.size << ' ' << thing.vanished << ' ' << spots.size();
@@ -55,12 +93,7 @@ void write(const Remembered& thing, std::ostream& to) {
     to << ' ' << spot.row << ' ' << spot.column << ' ' << spot.point.x << ' ' << spot.point.y << ' ' << spot.point.z
        << ' ' << spot.share << ' ' << int{spot.company} << ' ' << spot.stands;
   }
-}
-
-void write(const Axis& axis, std::ostream& to) {
-  to << ' ' << looks;
-  for (const auto& direction : {axis.ahead, axis.right})
-    for (const float part : direction) to << ' ' << part;
+  write(axis_of(spots, spots), to);
 }
 
 Axis axis_in(Reader& reader) {
@@ -91,15 +124,21 @@ Remembered thing_in(Reader& reader) {
   thing.clouds = 1;
   const std::size_t spots = reader.count(most_spots);
   for (std::size_t i = 0; i < spots && reader.good(); ++i) thing.lost.push_back(spot_in(reader));
+  const Axis axis = axis_in(reader);
+  for (Spot& spot : thing.lost) spot.axis = axis;
   return thing;
 }
 
 }  // namespace
 
+bool is_any_low(const Kept& kept) {
+  return std::any_of(kept.low.begin(), kept.low.end(), [](int floor) { return floor > 0; });
+}
+
 std::string to_text(const Kept& kept) {
-  const bool low = std::any_of(kept.low.begin(), kept.low.end(), [](int floor) { return floor > 0; });
+  const bool low = is_any_low(kept);
   if (kept.things.empty() && !low && kept.blind_range == 0.0f && !kept.more) return {};
-  const std::vector<Remembered> things = as_many_of(kept.things);
+  const std::vector<Remembered> things = as_many_of(parted_by_axis(kept.things));
   if (kept.more || things.size() > most_things) return too_much;
   std::ostringstream text;
   text.precision(5);
@@ -107,7 +146,10 @@ std::string to_text(const Kept& kept) {
   for (const Remembered& thing : things) write(thing, text);
   text << ' ' << (low ? kept.low.size() : 0);
   for (std::size_t i = 0; low && i < kept.low.size(); ++i) text << ' ' << kept.low[i];
-  if (kept.axis) write(*kept.axis, text);
+  if (low && kept.axis) {
+    text << ' ' << looks;
+    write(*kept.axis, text);
+  }
   text << ' ' << end;
   return text.str();
 }

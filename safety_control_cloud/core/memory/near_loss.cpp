@@ -70,9 +70,10 @@ bool NearLoss::cuts_off(const Sight& sight, const Outlook& outlook) const {
 std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const Outlook& outlook, double now) {
   if (limits_.distance <= 0.0) return std::nullopt;
   const Patience patience{now, limits_.timeout};
-  if (!goes_on_along(outlook)) return lost_elsewhere(patience);
+  take_up_what_lies_along(outlook);
   auto loss =
       is_picture(view) ? judge_organised(view, sight, outlook, patience) : judge_points(view, sight, outlook, patience);
+  if (auto elsewhere = lost_elsewhere(patience)) loss = std::move(elsewhere);
   write_down(loss && !is_in_sight(*loss), now);
   if (!loss || is_in_sight(*loss)) {
     lost_since_.reset();
@@ -87,7 +88,8 @@ std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const 
 }
 
 void NearLoss::note_blind(const View& view, const Sight& sight, const Outlook& outlook, double now) {
-  if (limits_.distance <= 0.0 || !goes_on_along(outlook)) return;
+  if (limits_.distance <= 0.0) return;
+  take_up_what_lies_along(outlook);
   const bool any =
       is_picture(view) ? note_picture(view, sight, outlook) : shows_near(sight, outlook) && note_points(view, outlook);
   if (any) write_down(written_.is_any_lost(), now);
@@ -216,32 +218,37 @@ bool NearLoss::restore(const std::string& text) {
   return true;
 }
 
-/// Where what another process lost lies is known from the first picture of a camera that looks as its camera did.
-bool NearLoss::goes_on_along(const Outlook& outlook) {
-  const Axis axis = axis_of(outlook);
-  const auto kept = written_.taken_up(axis);
-  if (!kept) return !written_.waits();
-  frame_ = {kept->width, kept->height, {}};
+/// Where it lies is known from the first picture that shows it as the other process saw it.
+void NearLoss::take_up_what_lies_along(const Outlook& outlook) {
+  auto kept = written_.taken_up(axis_of(outlook));
+  if (!kept) return;
+  const Frame before{kept->width, kept->height, {}};
+  if (frame_.width == 0) {
+    frame_ = before;
+    low_.move_to(frame_);
+  }
+  for (Remembered& thing : kept->things) {
+    for (Spot& spot : thing.lost) {
+      spot.place = placed(spot.point, outlook);
+      if (!(before == frame_)) place(spot, before, frame_);
+    }
+  }
+  things_.add(std::move(kept->things), kept->blind_range);
+  if (!is_any_low(*kept)) return;
+  low_.move_to(before);
+  low_.restore(std::move(kept->low));
   low_.move_to(frame_);
-  things_.restore(kept->things, kept->blind_range);
-  low_.restore(kept->low);
-  things_.for_each_spot([&](Spot& spot) {
-    spot.axis = axis;
-    spot.place = placed(spot.point, outlook);
-  });
-  return true;
 }
 
+/// Whatever else there is: nobody could say where that lies.
 std::optional<Loss> NearLoss::lost_elsewhere(const Patience& patience) {
-  if (!lost_since_) lost_since_ = patience.now;
-  if (patience.ends(*lost_since_)) {
-    forget();
+  if (!written_.waits()) return std::nullopt;
+  if (!read_since_) read_since_ = patience.now;
+  if (patience.ends(*read_since_)) {
+    written_.forget_read();
     return std::nullopt;
   }
-  Loss loss{Cause::NearLoss, std::nullopt, true, "an obstacle was lost where the camera does not look now"};
-  loss.since = lost_since_;
-  loss.hint = "the camera looks as it did then, or after ~reset, when somebody has looked";
-  return loss;
+  return Loss{Cause::NearLoss, std::nullopt, true, "an obstacle was lost where the camera does not look now"};
 }
 
 /// The spots of what is remembered in another picture, from a camera that looks the same way; whether it is another.

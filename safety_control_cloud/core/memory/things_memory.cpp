@@ -50,9 +50,9 @@ void drop_what_is_seen(std::vector<Spot>& lost, const Gaze& gaze, float turning,
 
 }  // namespace
 
-void ThingsMemory::restore(std::vector<Remembered> things, float blind_range) {
-  things_ = std::move(things);
-  blind_range_ = blind_range;
+void ThingsMemory::add(std::vector<Remembered> things, float blind_range) {
+  std::move(things.begin(), things.end(), std::back_inserter(things_));
+  blind_range_ = std::max(blind_range_, blind_range);
 }
 
 void ThingsMemory::scale_sizes(double by) {

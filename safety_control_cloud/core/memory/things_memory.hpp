@@ -57,8 +57,8 @@ class ThingsMemory {
   std::uint32_t picture() const { return picture_; }
   /// At which things vanished [m]; 0 if none did.
   float blind_range() const { return blind_range_; }
-  /// As they were written down; nothing of them is seen.
-  void restore(std::vector<Remembered> things, float blind_range);
+  /// These are remembered too, of which nothing is seen.
+  void add(std::vector<Remembered> things, float blind_range);
 
  private:
   float turning_to(const Axis& axis) const;

@@ -8,14 +8,15 @@
 
 namespace safety_control_cloud {
 
-/// What is near or lost, as text that outlives the process; and what another process wrote, until it is taken up.
+/// What is near or lost, as text that outlives the process; and what another process wrote, until it is taken up, which
+/// goes on being written till then.
 class Written {
  public:
   /// In some kilobytes; empty if nothing is near or lost.
   const std::string& text() const { return text_; }
 
   /// Whether anything was near or lost when it was written, or is to be taken up.
-  bool is_any_near() const { return is_any_near_ || read_; }
+  bool is_any_near() const { return is_any_near_ || waits(); }
   bool is_any_lost() const { return is_any_lost_; }
 
   /// Four times a second, and at once when something is lost or found or nothing is near any more. `kept` tells of all
@@ -33,12 +34,14 @@ class Written {
   /// From now on it is this that another process wrote; false, and nothing changes, if it makes no sense.
   bool read(const std::string& text);
 
-  /// Whether that waits to be taken up by a camera that looks as the other one did.
-  bool waits() const { return read_.has_value(); }
+  /// Whether anything of that waits to be taken up by a camera that looks as it did that lost it.
+  bool waits() const { return read_ && (!read_->things.empty() || is_any_low(*read_)); }
 
-  /// What it tells, once, to a camera that looks so; none: that looks otherwise. Of whom it does not tell which way he
-  /// looked, it is for all.
+  /// What a camera that looks so has to take up now, once; none: nothing.
   std::optional<Kept> taken_up(const Axis& axis);
+
+  /// Nothing waits any more.
+  void forget_read() { read_.reset(); }
 
   /// The corridor, in whose axes it tells that, leads so much farther to the left [rad].
   void turn_corridor(double angle);

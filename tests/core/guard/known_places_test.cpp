@@ -196,6 +196,21 @@ TEST(LostSpots, AfterAJumpOfOdometryNobodyKnowsWhereTheyAre) {
   EXPECT_EQ(robot.wants(about).cause, Cause::NearLoss) << "it could as well be elsewhere";
 }
 
+/// By then none of what is lost is kept as a place.
+TEST(LostSpots, AfterAPauseOfOdometryNobodyKnowsWhereTheyAreHoweverOldTheyAre) {
+  for (const double seconds : {0.35, 2.0}) {
+    RobotWithOdometry robot;
+    drives_up(robot, board_at);
+    robot.passes(35.0, board_at(0.36f));
+    robot.has_odometry = false;
+    robot.passes(seconds, board_at(0.36f));
+    robot.has_odometry = true;
+    robot.pose = {{-3.0, 1.0}, 1.6};
+    robot.passes(3.0, board_at(0.36f));
+    EXPECT_EQ(robot.wants(ahead).cause, Cause::NearLoss) << seconds << ": " << robot.wants(ahead).reason;
+  }
+}
+
 TEST(LostSpots, ThoseOfBeforeARestartHaveNoPlace) {
   RobotWithOdometry robot, next;
   drives_up(robot, board_at);

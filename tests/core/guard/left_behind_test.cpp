@@ -64,6 +64,38 @@ TEST(LeftBehind, WhatComesUntilItHidesAllClosesItsWay) {
   robot.expect_closed_behind(Cause::Blind);
 }
 
+TEST(LeftBehind, WhatHidAllStaysThoughTheBlindCameraFallsSilent) {
+  RobotBeforeWhatComes robot(wall_at);
+  robot.rear_shows = false;
+  for (int i = 0; i < 3; ++i) robot.drives(back);
+  robot.expect_closed_behind(Cause::NearLoss);
+  robot.rear_shows = true;
+  robot.expect_closed_behind(Cause::NearLoss);
+}
+
+TEST(LeftBehind, WhatOnlyHidTheFloorStaysThoughTheCameraGoesBlind) {
+  RobotWithSensors robot;
+  ASSERT_EQ(robot.drives(back).factor, 1.0);
+  robot.behind = post_at(0.35f);
+  ASSERT_EQ(robot.drives(back).cause, Cause::NearLoss);
+  robot.behind = wall_at(0.1f);
+  EXPECT_EQ(robot.drives(back).factor, 0.0) << robot.wants(back).reason;
+}
+
+TEST(LeftBehind, IsForgottenAfterNearLossTimeout) {
+  Settings settings = with_sensors();
+  settings.near_loss.timeout = 5.0;
+  RobotWithSensors robot(settings);
+  for (const float away : {0.7f, 0.6f, 0.5f, 0.45f, 0.35f}) {
+    robot.behind = post_at(away);
+    robot.drives({});
+  }
+  robot.rear_shows = false;
+  EXPECT_EQ(robot.drives(back).factor, 0.0);
+  for (int i = 0; i < 11; ++i) robot.drives({});
+  EXPECT_EQ(robot.drives(back).factor, 1.0) << robot.wants(back).reason;
+}
+
 TEST(LeftBehind, BlindnessBeforeWhichNothingWasNearIsAsGoodAsAbsence) {
   RobotWithSensors robot;
   ASSERT_EQ(robot.drives(back).factor, 1.0);

@@ -99,15 +99,37 @@ TEST(TurningHead, ThatSweepsPastWhereItLookedThenAsksNoOtherPlace) {
   EXPECT_EQ(robot.wants(ahead).factor, 0.0) << robot.wants(ahead).reason;
 }
 
-TEST(TurningHead, ThatLostSomethingElsewhereFirstSaysOnlyThatMoreIsLost) {
+TEST(TurningHead, ThatLooksElsewhereWhenTheNodeEndsTellsWhereItLookedThen) {
   RobotWithHead before, robot(false);
   for (int i = 0; i < 5; ++i) before.looks(Scene({post(0.36f, 0.0f)}));
   before.turns_head(0.4);
   for (int i = 0; i < 20; ++i) before.looks(before.around());
-  EXPECT_FALSE(robot.control.recall(before.control.remembered()));
+  ASSERT_TRUE(robot.control.recall(before.control.remembered()));
   robot.heading = 0.4;
   for (int i = 0; i < 20; ++i) robot.looks(robot.wall);
   EXPECT_EQ(robot.wants(ahead).factor, 0.0) << robot.wants(ahead).reason;
+  robot.heading = 0.0;
+  for (int i = 0; i < 20; ++i) robot.looks(robot.wall);
+  EXPECT_EQ(robot.wants(ahead).factor, 1.0) << robot.wants(ahead).reason;
+}
+
+/// What comes near meanwhile, and hides no floor, is remembered too.
+TEST(TurningHead, ThatWaitsToLookAsItDidGoesOnRemembering) {
+  const auto hung = [](float away) {
+    return Scene({{away, -0.05f, 0.05f, -0.2f, -0.03f}, {2.0f, -9.0f, 9.0f, -9.0f, floor_y}});
+  };
+  for (const bool ends_again : {false, true}) {
+    RobotWithHead before, robot(false), last(false);
+    ASSERT_TRUE(robot.control.recall(before.control.remembered()));
+    robot.heading = 0.03;
+    for (const float away : {0.7f, 0.6f, 0.5f, 0.45f, 0.36f})
+      for (int i = 0; i < 5; ++i) robot.looks(hung(away));
+    ASSERT_TRUE(last.control.recall(robot.control.remembered()));
+    RobotWithHead& next = ends_again ? last : robot;
+    next.heading = 0.0;  // where it sees that the first has gone
+    for (int i = 0; i < 20; ++i) next.looks(hung(0.36f));
+    EXPECT_EQ(next.wants(ahead).factor, 0.0) << ends_again << ": " << next.wants(ahead).reason;
+  }
 }
 
 /// And where its corridor has turned with it.

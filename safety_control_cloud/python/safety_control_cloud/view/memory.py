@@ -11,10 +11,10 @@ from safety_control_cloud.view.moment import nothing
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-VERSION = "things-1"
+VERSION = "things-2"
 PLACES = "places"  # what a guard remembers around the robot, by odometry: no picture shows it
 BEFORE_THINGS = 3  # width, height, blind range
-BEFORE_SPOTS, SPOT = 2, 8  # words
+BEFORE_SPOTS, SPOT, AFTER_SPOTS = 2, 8, 6  # words
 
 
 def spots_in(texts: Sequence[str]) -> NDArray[np.float32]:
@@ -38,6 +38,7 @@ def _spots(text: str) -> List[List[float]]:
         _take(words, BEFORE_SPOTS)
         for _ in range(int(next(words))):
             found.append([float(word) for word in _take(words, SPOT)[2:5]])
+        _take(words, AFTER_SPOTS)
     return found
 
 
