@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 VERSION = "things-2"
-PLACES = "places"  # what a guard remembers around the robot, by odometry: no picture shows it
+OTHERS = ("places", "touched")  # what a guard remembers around the robot, by odometry, and what it touches
 BEFORE_THINGS = 3  # width, height, blind range
 BEFORE_SPOTS, SPOT, AFTER_SPOTS = 2, 8, 6  # words
 
@@ -20,7 +20,7 @@ BEFORE_SPOTS, SPOT, AFTER_SPOTS = 2, 8, 6  # words
 def spots_in(texts: Sequence[str]) -> NDArray[np.float32]:
     """(N, 3) [m]; empty where a text is not understood."""
     try:
-        found = [spot for text in texts if not text.startswith(PLACES) for spot in _spots(text)]
+        found = [spot for text in texts if not text.startswith(OTHERS) for spot in _spots(text)]
     except (StopIteration, RuntimeError, ValueError):
         return nothing()
     return np.array(found, np.float32).reshape(-1, 3)
