@@ -22,6 +22,8 @@ constexpr double long_on_its_way = 0.2;  ///< [s] what comes later after its sta
 constexpr double half_turn = 3.14159265358979323846;  ///< [rad]
 constexpr double turned_away = 0.2;  ///< [rad] by which a camera may look past its corridor before that follows it
 
+const std::vector<Ring> nothing;
+
 constexpr const char* facing_word = "facing";
 constexpr double few_returns = 0.1;        ///< of the points: with more, a camera is not blind for what is before it
 constexpr double least_of_scan = 0.3;      ///< [m] from which on a laser measures what is there, if it does so near
@@ -257,16 +259,21 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
     if (!known.doubt) known.doubt = Doubt{Cause::NoCloud, "no cloud has been seen by these settings yet"};
     return known;
   }
-  static const std::vector<Ring> nothing;  // what it saw last is among the places that hide all
-  known.rings = known.is_placed ? &nothing : &around_.rings();
+  known.rings = known.is_placed ? &nothing : &around_.rings();  // or what it saw last is among the places that hide all
   const double since_arrival = std::max(now.steady - taken_->arrival.steady, now.ros - taken_->arrival.ros);
   known.age = {since_arrival + taken_->time_to_arrive, law_.sensor_period + taken_->time_to_arrive};
   known.ways = ways_since_look(now, odometry, given);
-  known.eye = taken_->eye;
-  if (known.lost && is_lost_ahead_) known.eye->direction = {std::cos(facing_), std::sin(facing_)};
+  known.eye = known.lost ? eye_on_what_is_lost() : taken_->eye;
   known.horizon = taken_->horizon;
   known.cap = cap_by(sensor_.answer(), own_, facing_);
   return known;
+}
+
+/// It may have turned away since.
+Eye GuardSensor::eye_on_what_is_lost() const {
+  Eye eye = taken_->eye;
+  if (is_lost_ahead_) eye.direction = {std::cos(facing_), std::sin(facing_)};
+  return eye;
 }
 
 std::optional<Known> GuardSensor::left_behind(const Known& known, double memory_time, double now) const {
@@ -275,14 +282,12 @@ std::optional<Known> GuardSensor::left_behind(const Known& known, double memory_
   const bool is_forgotten = Patience{since, own_.near_loss.timeout}.ends(0.0);
   if (!has_lost_ || is_kept_as_places || is_forgotten) return std::nullopt;
   if (!known.doubt) return known;
-  static const std::vector<Ring> nothing;
   Known left;
   left.sensor = about_.name;
   left.rings = &nothing;
   left.law = law_;
   left.ways = {Pose2{}};
-  if (taken_) left.eye = taken_->eye;
-  if (taken_ && is_lost_ahead_) left.eye->direction = {std::cos(facing_), std::sin(facing_)};
+  if (taken_) left.eye = eye_on_what_is_lost();
   left.lost = Doubt{Cause::NearLoss, "it had lost something from sight, and is in doubt: " + known.doubt->reason};
   left.hint = "it is believed again and sees what is behind that, or after ~reset, when somebody has looked";
   return left;

@@ -115,6 +115,7 @@ class GuardSensor {
 
   const Loss* loss() const;
   void note_loss();
+  Eye eye_on_what_is_lost() const;
   void face(const Reading& reading, const Placing& placing);
   Look take(const Reading& reading, const Origin& origin, const Outlook& outlook, const Instant& now,
             const Given& given);

@@ -20,7 +20,7 @@ void drop_what_came_along(std::vector<Spot>& spots) {
 
 }  // namespace
 
-std::vector<Thing> follow(std::vector<Remembered>& things, std::vector<Thing> seen, float near, float turning) {
+std::vector<Thing> follow(std::vector<Remembered>& things, std::vector<Thing> seen, float near, const Shown& shown) {
   std::vector<Thing> before;
   for (Remembered& thing : things) {
     before.push_back(std::exchange(thing.seen, Thing{}));
@@ -59,7 +59,8 @@ std::vector<Thing> follow(std::vector<Remembered>& things, std::vector<Thing> se
     // seen below it says that it does not.
     for (Spot& spot : now.spots) {
       spot.stands = spot.stands || (thing.stood && spot.foot_unseen);
-      spot.turning = turning;
+      spot.turning = shown.turning;
+      spot.picture = shown.picture;
     }
     thing.seen = std::move(now);
     thing.freed = 0.0;

@@ -63,9 +63,8 @@ void ThingsMemory::scale_sizes(double by) {
 
 void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor,
                           const Backdrop& backdrop, float near, Gaze gaze) {
-  number(seen);
   const float turning = turning_to(gaze.axis);
-  auto before = follow(things_, std::move(seen), near, turning);
+  auto before = follow(things_, std::move(seen), near, {++picture_, turning});
   for (std::size_t i = 0; i < things_.size(); ++i) lose(things_[i], std::move(before[i]));
   unlearn_blind_range();
   const bool rest = turning <= still;
@@ -102,9 +101,8 @@ void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const 
 /// Nothing goes for what is seen behind it, and nothing vanishes: what does not return counts as seen until a picture
 /// says more, but where something else is seen now.
 void ThingsMemory::update_by_little(std::vector<Thing> seen, const Pixels& picture, float near, const Axis& axis) {
-  number(seen);
   const float turning = turning_to(axis);
-  auto before = follow(things_, std::move(seen), near, turning);
+  auto before = follow(things_, std::move(seen), near, {++picture_, turning});
   const auto is_there = [&](const Spot& spot) {
     return turning <= still && spot.axis && are_same(*spot.axis, axis, same_axis) &&
            evidence_of(spot, picture) == Evidence::There;
@@ -125,12 +123,6 @@ void ThingsMemory::update_by_little(std::vector<Thing> seen, const Pixels& pictu
   unlearn_blind_range();
   axis_ = axis;
   drop_empty();
-}
-
-void ThingsMemory::number(std::vector<Thing>& seen) {
-  ++picture_;
-  for (Thing& thing : seen)
-    for (Spot& spot : thing.spots) spot.picture = picture_;
 }
 
 void ThingsMemory::drop_empty() {

@@ -62,7 +62,6 @@ class ThingsMemory {
 
  private:
   float turning_to(const Axis& axis) const;
-  void number(std::vector<Thing>& seen);
   static void lose(Remembered& thing, Thing before);
   static void stay_in_hole(Remembered& thing, std::vector<Spot> spots);
   void note_vanished(Remembered& thing, const Pixels& picture, float near, bool resting);

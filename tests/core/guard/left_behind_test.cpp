@@ -14,7 +14,8 @@ Scene wall_at(float away) { return Scene({{away, -9.0f, 9.0f, -9.0f, floor_y}});
 
 /// Its rear camera is not required, and something comes up to it that its laser does not see.
 struct RobotBeforeWhatComes : RobotWithSensors {
-  explicit RobotBeforeWhatComes(Scene (*at)(float)) {
+  explicit RobotBeforeWhatComes(Scene (*at)(float), const Settings& settings = with_sensors())
+      : RobotWithSensors(settings) {
     for (const float away : {0.7f, 0.6f, 0.5f, 0.45f, 0.35f}) {
       behind = at(away);
       drives({});
@@ -85,11 +86,7 @@ TEST(LeftBehind, WhatOnlyHidTheFloorStaysThoughTheCameraGoesBlind) {
 TEST(LeftBehind, IsForgottenAfterNearLossTimeout) {
   Settings settings = with_sensors();
   settings.near_loss.timeout = 5.0;
-  RobotWithSensors robot(settings);
-  for (const float away : {0.7f, 0.6f, 0.5f, 0.45f, 0.35f}) {
-    robot.behind = post_at(away);
-    robot.drives({});
-  }
+  RobotBeforeWhatComes robot(post_at, settings);
   robot.rear_shows = false;
   EXPECT_EQ(robot.drives(back).factor, 0.0);
   for (int i = 0; i < 11; ++i) robot.drives({});
