@@ -7,14 +7,17 @@
 #include "look/look.hpp"
 #include "look/outlook.hpp"
 #include "look/passthrough.hpp"
+#include "text/reader.hpp"
 #include "text/words.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
+constexpr const char* in_frame = "in";  // the word before the frame
+
 bool same_corridor(const LookSettings& a, const LookSettings& b) {
   const Corridor one = corridor_of(a), other = corridor_of(b);
-  return a.target_frame == b.target_frame && same_limits(one, other) && one.range_min == other.range_min;
+  return same_limits(one, other) && one.range_min == other.range_min;
 }
 
 Picture picture_of(const Sight& sight, const Origin& origin) {
@@ -43,6 +46,7 @@ void gather_all(const View& view, const Alongside& alongside) {
 Sensor::Sensor(const Settings& settings) : settings_(settings), near_loss_(settings.near_loss) {}
 
 void Sensor::adopt(const Settings& settings) {
+  if (settings.target_frame != settings_.target_frame) near_loss_.change_axes();
   if (!same_corridor(settings, settings_)) near_loss_.change_corridor();
   near_loss_.limit(settings.near_loss);
   settings_ = settings;
@@ -58,6 +62,23 @@ void Sensor::forget_losses() {
   near_loss_.forget();
   stamps_.forget();
   blind_.forget();
+}
+
+std::string Sensor::remembered() const {
+  const std::string& text = near_loss_.serialised();
+  const std::string& frame = settings_.target_frame;
+  return text.empty() || frame.empty() ? text : words(in_frame, ' ', frame, ' ', text);
+}
+
+bool Sensor::recall(const std::string& remembered) {
+  if (remembered.empty()) return true;
+  Reader reader(remembered);
+  const bool is_placed = reader.word() == in_frame;
+  const std::string frame = is_placed ? reader.word() : "";
+  if (!near_loss_.restore(is_placed ? reader.rest() : remembered)) return false;
+  if (frame != settings_.target_frame) near_loss_.change_axes();
+  recalled_ = near_loss_.is_any_near();
+  return true;
 }
 
 void Sensor::see(const Reading& reading, const Origin& origin, const Instant& now, Crop crop,

@@ -91,15 +91,10 @@ class Sensor {
   void forget_losses();
 
   /// What is near or lost, to outlive the process; empty if nothing is.
-  std::string remembered() const { return near_loss_.serialised(); }
+  std::string remembered() const;
 
-  /// Goes on with what another process remembered. Text that makes no sense changes nothing.
-  bool recall(const std::string& remembered) {
-    if (remembered.empty()) return true;
-    if (!near_loss_.restore(remembered)) return false;
-    recalled_ = near_loss_.waits();
-    return true;
-  }
+  /// Goes on with what another process remembered, be that in another frame. Text that makes no sense changes nothing.
+  bool recall(const std::string& remembered);
 
  private:
   Answer answer_to(const Reading& reading, const Origin& origin, const Instant& now, Crop crop,

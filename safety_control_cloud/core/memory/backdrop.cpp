@@ -55,7 +55,7 @@ Backdrop::Place Backdrop::place_of(std::size_t cell) const {
   return {middle(cell / columns_), middle(cell % columns_), behind.x / behind.z, behind.y / behind.z};
 }
 
-bool Backdrop::looks_along(const Axis& axis) const { return are_same(axis, axis_, same_axis); }
+bool Backdrop::is_seen_from(const CameraPose& camera) const { return show_the_same(camera, camera_); }
 
 Backdrop::Shown Backdrop::shown_at(const Pixels& picture, std::size_t cell) const {
   auto ranges = picture.around(middle(cell / columns_), middle(cell % columns_));
@@ -68,13 +68,13 @@ Backdrop::Shown Backdrop::shown_at(const Pixels& picture, std::size_t cell) cons
   return shown;
 }
 
-void Backdrop::note(const Pixels& picture, const Axis& axis, const std::vector<Part>& lost) {
-  if (!lost.empty() && !looks_along(axis)) return;
+void Backdrop::note(const Pixels& picture, const CameraPose& camera, const std::vector<Part>& lost) {
+  if (!lost.empty() && !is_seen_from(camera)) return;
   const std::size_t step = std::max(least_step, (picture.width() + most_columns - 1) / most_columns);
   const std::size_t columns = picture.width() / step, cells = columns * (picture.height() / step);
   if (cells == 0) return;
-  if (step != step_ || columns != columns_ || cells != cells_.size() || !looks_along(axis)) {
-    step_ = step, columns_ = columns, axis_ = axis;
+  if (step != step_ || columns != columns_ || cells != cells_.size() || !is_seen_from(camera)) {
+    step_ = step, columns_ = columns, camera_ = camera;
     cells_.assign(cells, Cell{});
   }
   next_row_ = (next_row_ + 1) % rows_apart;

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "axis.hpp"
+#include "camera_pose.hpp"
 #include "pixels.hpp"
 
 namespace safety_control_cloud {
@@ -29,7 +29,7 @@ class Backdrop {
 
   /// The next picture. What is known behind and around what is `lost`, for which the robot stands, rests: what the
   /// picture does not show there any more is hidden. Elsewhere it has gone, as it has where the robot drives on.
-  void note(const Pixels& picture, const Axis& axis, const std::vector<Part>& lost);
+  void note(const Pixels& picture, const CameraPose& camera, const std::vector<Part>& lost);
 
   /// Where a picture shows a hole in what is behind, which goes on beside it. A shadow is none, since what casts it is
   /// seen beside it, nor is what has never returned.
@@ -38,8 +38,8 @@ class Backdrop {
   /// So many of the 3 x 3 pixels around a place return, if it does.
   static constexpr std::uint8_t dense = 6;
 
-  /// Whether it knows what is behind where a camera looks so.
-  bool looks_along(const Axis& axis) const;
+  /// Whether it knows what is behind what a camera shows there.
+  bool is_seen_from(const CameraPose& camera) const;
 
   /// Of the picture, that a place stands for.
   std::size_t pixels_each() const { return step_ * step_; }
@@ -72,7 +72,7 @@ class Backdrop {
 
   std::size_t step_ = 1, columns_ = 0, next_row_ = 0;
   std::vector<Cell> cells_;
-  Axis axis_;
+  CameraPose camera_;
 };
 
 }  // namespace safety_control_cloud

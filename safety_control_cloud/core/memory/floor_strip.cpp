@@ -27,6 +27,8 @@ constexpr NearGround::Code forgotten = 1;
 /// A border of rows that never return is at most so high.
 constexpr std::size_t border_share_of_height = 8;
 
+constexpr float as_high = 0.01f;  ///< [m] for a camera that bumps along with its robot
+
 /// The least code that is still floor in a row; those from it on are the floor, or elsewhere. The floor moves by 2 %
 /// when the robot pitches by half a degree; a foot stands out by more than this.
 NearGround::Code least_floor(NearGround::Code lowest) { return static_cast<NearGround::Code>((lowest * 19 + 19) / 20); }
@@ -34,6 +36,12 @@ NearGround::Code least_floor(NearGround::Code lowest) { return static_cast<NearG
 std::size_t post_of(std::size_t columns) { return std::max<std::size_t>(2, columns / post_share_of_width); }
 
 }  // namespace
+
+void FloorStrip::move_to(float camera_height) {
+  if (std::abs(camera_height - camera_height_) < as_high) return;
+  *this = FloorStrip{};
+  camera_height_ = camera_height;
+}
 
 void FloorStrip::survey(const NearGround& ground, const Patience& patience) {
   lowest_.resize(std::max(lowest_.size(), ground.rows()), 0);

@@ -27,6 +27,10 @@ class FloorStrip {
   /// For so many clouds a column that was mostly blank may count as that: strays fill it now and then.
   static constexpr std::uint8_t lately = 8;
 
+  /// Which rows show it is another matter for a camera that goes up or down on its mast: it is so high [m] in the next
+  /// picture, and if that is elsewhere, all that was learned is forgotten.
+  void move_to(float camera_height);
+
   /// Finds the floor again in the latest picture. That it was ever seen in a column is forgotten once that has
   /// been blank for too long: what the picture shows by itself, a gap between floor and floor, is not.
   void survey(const NearGround& ground, const Patience& patience = {});
@@ -56,7 +60,8 @@ class FloorStrip {
   bool is_border(std::size_t column, std::size_t size) const;
   bool shows_floor(std::size_t i) const;
 
-  std::vector<Code> lowest_;  ///< ground of each row; 0 = none
+  float camera_height_ = 0.0f;  ///< [m] in the corridor's axes, as this was learned
+  std::vector<Code> lowest_;    ///< ground of each row; 0 = none
   std::vector<std::size_t> rows_;
   double middle_ = 0.0;               ///< the column that looks straight ahead
   bool above_border_ = false;         ///< the lowest rows return nothing

@@ -83,9 +83,9 @@ class Forgiving {
   };
 
   void turn_to_gaze() {
-    const auto is_elsewhere = [&](const Spot& spot) { return !are_same(*spot.axis, gaze_.axis, same_axis); };
+    const auto is_elsewhere = [&](const Spot& spot) { return !show_the_same(*spot.camera, gaze_.camera); };
     for (Spot& spot : thing_.lost)
-      if (!spot.axis) spot.axis = gaze_.axis;
+      if (!spot.camera) spot.camera = gaze_.camera;
     if (std::none_of(thing_.lost.begin(), thing_.lost.end(), is_elsewhere)) return;
     for (const Spot& spot : thing_.lost) elsewhere_.push_back(is_elsewhere(spot) ? looked_for(spot) : Elsewhere{});
   }
@@ -95,7 +95,7 @@ class Forgiving {
   Elsewhere looked_for(const Spot& spot) const {
     auto turned = turned_spot(spot, gaze_, picture_);
     if (turned && turned->is_whole) return {true, std::move(turned)};
-    const bool looks_ahead = std::abs(gaze_.axis.ahead[0]) < straight && gaze_.axis.ahead[2] > 0.0f;
+    const bool looks_ahead = std::abs(gaze_.camera.ahead[0]) < straight && gaze_.camera.ahead[2] > 0.0f;
     const auto beyond = above_or_below(spot, gaze_, picture_);
     return {true, std::nullopt, spot.turning <= still && (!looks_ahead || !beyond || *beyond > as_high)};
   }

@@ -2,6 +2,7 @@
 #include "kept.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -10,12 +11,16 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr const char* version = "things-2";
+constexpr const char* version = "things-3";
 constexpr const char* end = "end";
-constexpr const char* looks = "looks";                                      // before which way the camera did
-constexpr const char* too_much = "things-2 more is lost than can be told";  // which kept_in refuses
+constexpr const char* too_much = "things-3 more is lost than can be told";  // which kept_in refuses
 constexpr std::size_t most_things = 32, most_spots = 12, most_spots_lost = 8;
 constexpr std::size_t most_columns = NearGround::most_columns * 2, most_pixels = 65535;
+constexpr double farthest = 100.0;  // [m]
+
+/// What of a spot is kept besides its place: how it goes depends on them.
+constexpr std::array<bool Spot::*, 4> flags_kept{&Spot::stands, &Spot::foot_unseen, &Spot::hung_before,
+                                                 &Spot::went_alone};
 
 /// So many at most, evenly; they stand for all.
 std::vector<Spot> some_of(const std::vector<Spot>& all, std::size_t most) {
@@ -36,31 +41,31 @@ std::vector<Spot> spots_of(const Remembered& thing) {
   return spots;
 }
 
-const Axis& axis_of(const std::vector<Spot>& lost, const std::vector<Spot>& seen) {
-  static const Axis ahead;
+const CameraPose& camera_of(const std::vector<Spot>& lost, const std::vector<Spot>& seen) {
+  static const CameraPose in_its_frame;
   const Spot& first = lost.empty() ? seen.front() : lost.front();
-  return first.axis ? *first.axis : ahead;
+  return first.camera ? *first.camera : in_its_frame;
 }
 
-std::vector<Spot> taken_along(const Axis& axis, std::vector<Spot>& spots) {
+std::vector<Spot> taken_from(const CameraPose& camera, std::vector<Spot>& spots) {
   const auto other = std::stable_partition(spots.begin(), spots.end(), [&](const Spot& spot) {
-    return !spot.axis || are_same(*spot.axis, axis, same_axis);
+    return !spot.camera || show_the_same(*spot.camera, camera);
   });
-  std::vector<Spot> along(spots.begin(), other);
+  std::vector<Spot> some(spots.begin(), other);
   spots.erase(spots.begin(), other);
-  return along;
+  return some;
 }
 
-std::vector<Remembered> parted_by_axis(std::vector<Remembered> things) {
+std::vector<Remembered> parted_by_camera(std::vector<Remembered> things) {
   std::vector<Remembered> parts;
   for (Remembered& thing : things) {
     const double size = thing.size;
     bool is_whole = true;
     while (!thing.lost.empty() || thing.is_seen()) {
-      const Axis axis = axis_of(thing.lost, thing.seen.spots);
+      const CameraPose camera = camera_of(thing.lost, thing.seen.spots);
       Remembered part = thing;
-      part.lost = taken_along(axis, thing.lost);
-      part.seen.spots = taken_along(axis, thing.seen.spots);
+      part.lost = taken_from(camera, thing.lost);
+      part.seen.spots = taken_from(camera, thing.seen.spots);
       is_whole = is_whole && thing.lost.empty() && !thing.is_seen();
       if (!is_whole) part.size = std::min(size, size_of(part.lost) + size_of(part.seen.spots));
       parts.push_back(std::move(part));
@@ -81,9 +86,20 @@ std::vector<Remembered> as_many_of(std::vector<Remembered> things) {
   return things;
 }
 
-void write(const Axis& axis, std::ostream& to) {
-  for (const auto& direction : {axis.ahead, axis.right})
-    for (const float part : direction) to << ' ' << part;
+/// In one number.
+unsigned flags_of(const Spot& spot) {
+  unsigned flags = 0;
+  for (std::size_t i = 0; i < flags_kept.size(); ++i) flags |= spot.*flags_kept[i] ? 1U << i : 0U;
+  return flags;
+}
+
+void set_flags(Spot& spot, std::size_t flags) {
+  for (std::size_t i = 0; i < flags_kept.size(); ++i) spot.*flags_kept[i] = (flags >> i & 1U) != 0;
+}
+
+void write(const CameraPose& camera, std::ostream& to) {
+  for (const auto& part : {camera.ahead, camera.right, camera.at})
+    for (const float along : part) to << ' ' << along;
 }
 
 void write(const Remembered& thing, std::ostream& to) {
@@ -91,20 +107,20 @@ void write(const Remembered& thing, std::ostream& to) {
   to << ' ' << thing.size << ' ' << thing.vanished << ' ' << spots.size();
   for (const Spot& spot : spots) {
     to << ' ' << spot.row << ' ' << spot.column << ' ' << spot.point.x << ' ' << spot.point.y << ' ' << spot.point.z
-       << ' ' << spot.share << ' ' << int{spot.company} << ' ' << spot.stands;
+       << ' ' << spot.share << ' ' << int{spot.company} << ' ' << flags_of(spot) << ' ' << spot.turning;
   }
-  write(axis_of(spots, spots), to);
+  write(camera_of(spots, spots), to);
 }
 
-Axis axis_in(Reader& reader) {
-  Axis axis;
-  for (auto* direction : {&axis.ahead, &axis.right})
-    for (float& part : *direction) part = static_cast<float>(reader.number(-1.001, 1.001));
-  return axis;
+CameraPose camera_in(Reader& reader) {
+  CameraPose camera;
+  for (auto* direction : {&camera.ahead, &camera.right})
+    for (float& along : *direction) along = static_cast<float>(reader.number(-1.001, 1.001));
+  for (float& along : camera.at) along = static_cast<float>(reader.number(-farthest, farthest));
+  return camera;
 }
 
 Spot spot_in(Reader& reader) {
-  constexpr double farthest = 100.0;
   Spot spot;
   spot.row = static_cast<std::uint16_t>(reader.count(most_pixels));
   spot.column = static_cast<std::uint16_t>(reader.count(most_pixels));
@@ -113,7 +129,8 @@ Spot spot_in(Reader& reader) {
   spot.point.z = static_cast<float>(reader.number(1e-3, farthest));
   spot.share = static_cast<float>(reader.number(0.0, farthest));
   spot.company = static_cast<std::uint8_t>(reader.count(9));
-  spot.stands = reader.count(1) == 1;
+  set_flags(spot, reader.count((1U << flags_kept.size()) - 1));
+  spot.turning = static_cast<float>(reader.number(0.0, 10.0));
   return spot;
 }
 
@@ -124,8 +141,8 @@ Remembered thing_in(Reader& reader) {
   thing.clouds = 1;
   const std::size_t spots = reader.count(most_spots);
   for (std::size_t i = 0; i < spots && reader.good(); ++i) thing.lost.push_back(spot_in(reader));
-  const Axis axis = axis_in(reader);
-  for (Spot& spot : thing.lost) spot.axis = axis;
+  const CameraPose camera = camera_in(reader);
+  for (Spot& spot : thing.lost) spot.camera = camera;
   return thing;
 }
 
@@ -138,7 +155,7 @@ bool is_any_low(const Kept& kept) {
 std::string to_text(const Kept& kept) {
   const bool low = is_any_low(kept);
   if (kept.things.empty() && !low && kept.blind_range == 0.0f && !kept.more) return {};
-  const std::vector<Remembered> things = as_many_of(parted_by_axis(kept.things));
+  const std::vector<Remembered> things = as_many_of(parted_by_camera(kept.things));
   if (kept.more || things.size() > most_things) return too_much;
   std::ostringstream text;
   text.precision(5);
@@ -146,10 +163,7 @@ std::string to_text(const Kept& kept) {
   for (const Remembered& thing : things) write(thing, text);
   text << ' ' << (low ? kept.low.size() : 0);
   for (std::size_t i = 0; low && i < kept.low.size(); ++i) text << ' ' << kept.low[i];
-  if (low && kept.axis) {
-    text << ' ' << looks;
-    write(*kept.axis, text);
-  }
+  if (low) text << ' ' << kept.camera_height;
   text << ' ' << end;
   return text.str();
 }
@@ -167,12 +181,8 @@ std::optional<Kept> kept_in(const std::string& text) {
   for (std::size_t i = 0; i < columns && reader.good(); ++i) {
     kept.low.push_back(static_cast<NearGround::Code>(reader.number(0.0, 32766.0)));
   }
-  std::string word = reader.word();
-  if (word == looks) {
-    kept.axis = axis_in(reader);
-    word = reader.word();
-  }
-  if (!reader.good() || word != end) return std::nullopt;
+  if (columns > 0) kept.camera_height = static_cast<float>(reader.number(-farthest, farthest));
+  if (reader.word() != end || !reader.good()) return std::nullopt;
   return kept;
 }
 

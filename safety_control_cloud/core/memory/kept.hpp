@@ -14,15 +14,15 @@ namespace safety_control_cloud {
 struct Kept {
   std::size_t width = 0, height = 0;  ///< of the picture in which the spots lie
   float blind_range = 0.0f;           ///< [m] learned
-  std::vector<Remembered> things;     ///< each spot with the axis along which it was seen
+  std::vector<Remembered> things;
   std::vector<NearGround::Code> low;  ///< LowObstacles::floor()
+  float camera_height = 0.0f;         ///< [m] of the camera below the corridor's frame, as it tells of the low ones
   bool more = false;                  ///< is lost than this tells of
-  std::optional<Axis> axis{};         ///< of the camera, when it saw the low ones
 };
 
-/// A line of text of at most 30 kilobytes: of each thing only some spots, and one that was seen along several axes as
-/// several. Empty if there is nothing to keep. Where more
-/// is lost than fits into it, it says only that, and is not read again: nobody knows then where they all are.
+/// A line of text of at most 40 kilobytes: of each thing only some spots, and one that was seen from several poses of
+/// the camera as several. Empty if there is nothing to keep. Where more is lost than fits into it, it says only that,
+/// and is not read again: nobody knows then where they all are.
 std::string to_text(const Kept& kept);
 
 /// Whether any is told of.

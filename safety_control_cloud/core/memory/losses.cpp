@@ -8,7 +8,7 @@ namespace safety_control_cloud {
 namespace {
 
 Point place_of(const Spot& spot, const Outlook& outlook) {
-  return spot.place ? *spot.place : placed(spot.point, outlook);
+  return spot.camera ? spot.camera->placed(spot.point) : placed(spot.point, outlook);
 }
 
 /// Where a loss is at the nearest [m].

@@ -31,19 +31,26 @@ class LowObstacles {
                             const Patience& patience);
 
   /// Of a picture that shows too little to forget anything: what is seen in it is kept.
-  void note(const NearGround& ground);
+  void note(const NearGround& ground, const Outlook& outlook);
 
   /// The next picture lies in this frame.
   void move_to(const Frame& frame);
 
   /// The corridor is another one. What is kept stays, but where the next cloud shows that it lies beside it.
   void change_corridor() { is_corridor_new_ = true; }
+  /// And it is told in another frame.
+  void change_axes() { camera_height_.reset(); }
 
   /// Of each column, the floor before a step that is kept [mm below the camera]; 0 if there is none.
   const std::vector<NearGround::Code>& floor() const { return floor_; }
   /// Whether there are others, beside the picture.
   bool any_beside() const { return !beside_.empty(); }
-  void restore(std::vector<NearGround::Code> floor) { floor_ = std::move(floor); }
+  /// The camera's, below the frame of the corridor, in the latest picture [m].
+  float camera_height() const { return camera_height_.value_or(0.0f); }
+  /// All of that, as another process knew it.
+  void restore(std::vector<NearGround::Code> floor, float camera_height) {
+    floor_ = std::move(floor), camera_height_ = camera_height;
+  }
 
  private:
   using Millimetres = NearGround::Code;
@@ -60,6 +67,7 @@ class LowObstacles {
   bool shows(const Beside& step) const;
   void survey(const NearGround& ground, const Pixels& picture, const Outlook& outlook);
   void look_beside(const NearGround& ground, const Pixels& picture, const Outlook& outlook);
+  void move_with_camera(const Outlook& outlook);
   void look_at(const NearGround& ground);
   bool shows_step(std::size_t column, const NearGround& ground) const;
   void forget_old(const Patience& patience);
@@ -73,11 +81,12 @@ class LowObstacles {
   Frame frame_;
   std::vector<Beside> beside_;
   // Of each column, below the camera.
-  std::vector<Millimetres> floor_;    ///< before the step; 0 if there is no step
-  std::vector<Millimetres> lowest_;   ///< the near ground that the lowest pixel of it shows now; `none` if none does
-  std::vector<double> hidden_since_;  ///< [s] steady: the floor before the step
-  std::vector<std::int16_t> above_;   ///< pixels that show ground a step above that, or above `floor_`
-  bool is_corridor_new_ = false;      ///< and no cloud has come since
+  std::vector<Millimetres> floor_;      ///< before the step; 0 if there is no step
+  std::vector<Millimetres> lowest_;     ///< the near ground that the lowest pixel of it shows now; `none` if none does
+  std::vector<double> hidden_since_;    ///< [s] steady: the floor before the step
+  std::vector<std::int16_t> above_;     ///< pixels that show ground a step above that, or above `floor_`
+  bool is_corridor_new_ = false;        ///< and no cloud has come since
+  std::optional<float> camera_height_;  ///< [m] see camera_height(); none: no picture has come
 };
 
 }  // namespace safety_control_cloud

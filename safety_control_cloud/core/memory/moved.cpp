@@ -26,7 +26,6 @@ std::vector<Spot> Moved::spots_in(const std::vector<Backdrop::Place>& hidden, st
     Spot spot = from;
     spot.row = static_cast<std::uint16_t>(row), spot.column = static_cast<std::uint16_t>(column);
     spot.point = Point(right * from.point.z, down * from.point.z, from.point.z);
-    spot.place.reset();
     spot.share = static_cast<float>(each * static_cast<double>(step));
     spot.company = Backdrop::dense;
     spot.seen_past = 0;

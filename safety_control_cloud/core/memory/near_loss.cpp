@@ -70,10 +70,9 @@ bool NearLoss::cuts_off(const Sight& sight, const Outlook& outlook) const {
 std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const Outlook& outlook, double now) {
   if (limits_.distance <= 0.0) return std::nullopt;
   const Patience patience{now, limits_.timeout};
-  take_up_what_lies_along(outlook);
+  settle_in_axes(outlook);
   auto loss =
       is_picture(view) ? judge_organised(view, sight, outlook, patience) : judge_points(view, sight, outlook, patience);
-  if (auto elsewhere = lost_elsewhere(patience)) loss = std::move(elsewhere);
   write_down(loss && !is_in_sight(*loss), now);
   if (!loss || is_in_sight(*loss)) {
     lost_since_.reset();
@@ -89,7 +88,7 @@ std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const 
 
 void NearLoss::note_blind(const View& view, const Sight& sight, const Outlook& outlook, double now) {
   if (limits_.distance <= 0.0) return;
-  take_up_what_lies_along(outlook);
+  settle_in_axes(outlook);
   const bool any =
       is_picture(view) ? note_picture(view, sight, outlook) : shows_near(sight, outlook) && note_points(view, outlook);
   if (any) write_down(written_.is_any_lost(), now);
@@ -100,7 +99,7 @@ bool NearLoss::note_picture(const View& view, const Sight& sight, const Outlook&
   ground_.look_at(picture, outlook, near_distance());
   const bool any =
       shows_near(sight, outlook) && note({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels});
-  low_.note(ground_);
+  low_.note(ground_, outlook);
   return any;
 }
 
@@ -124,7 +123,7 @@ bool NearLoss::note(const NearSearch& search) {
   auto things = near_things(search);
   if (things.empty()) return false;
   place_on_ground(things, ground_, search.picture, search.outlook);
-  things_.update_by_little(std::move(things), search.picture, near_distance(), axis_of(search.outlook));
+  things_.update_by_little(std::move(things), search.picture, near_distance(), camera_pose_of(search.outlook));
   return true;
 }
 
@@ -171,7 +170,7 @@ void NearLoss::note_backdrop(const Pixels& picture, const Outlook& outlook, bool
   std::vector<Backdrop::Part> lost;
   for (const Remembered& thing : things_.things())
     if (stands && !thing.lost.empty()) lost.push_back(part_around(thing.lost, picture.width()));
-  backdrop_.note(picture, axis_of(outlook), lost);
+  backdrop_.note(picture, camera_pose_of(outlook), lost);
 }
 
 /// What hides the floor is noticed by itself only in a picture: here the floor has to be seen for longer, since strays
@@ -192,6 +191,7 @@ std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight,
 void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, const Patience& patience) {
   auto things = near_things(search);
   place_on_ground(things, ground_, search.picture, search.outlook);
+  floor_.move_to(search.outlook.camera().y);
   floor_.survey(ground_, patience);
   const auto is_seen_again = [&](std::size_t column) {
     const std::size_t i = ground_.column_at(column);
@@ -204,51 +204,22 @@ void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, 
 
 void NearLoss::write_down(bool lost, double now) {
   const auto kept = [this] {
-    return Kept{frame_.width, frame_.height,     things_.blind_range(), things_.things(),
-                low_.floor(), low_.any_beside(), things_.axis()};
+    return Kept{frame_.width, frame_.height,        things_.blind_range(), things_.things(),
+                low_.floor(), low_.camera_height(), low_.any_beside()};
   };
   written_.bring_up_to_date(things_.things(), near_distance(), lost, now, kept);
 }
 
 bool NearLoss::restore(const std::string& text) {
-  Written written;
-  if (!written.read(text)) return false;
+  auto kept = kept_in(text);
+  if (!kept) return false;
   forget();
-  written_ = std::move(written);
-  return true;
-}
-
-/// Where it lies is known from the first picture that shows it as the other process saw it.
-void NearLoss::take_up_what_lies_along(const Outlook& outlook) {
-  auto kept = written_.taken_up(axis_of(outlook));
-  if (!kept) return;
-  const Frame before{kept->width, kept->height, {}};
-  if (frame_.width == 0) {
-    frame_ = before;
-    low_.move_to(frame_);
-  }
-  for (Remembered& thing : kept->things) {
-    for (Spot& spot : thing.lost) {
-      spot.place = placed(spot.point, outlook);
-      if (!(before == frame_)) place(spot, before, frame_);
-    }
-  }
+  written_ = Written(text, !kept->things.empty() || is_any_low(*kept));
+  frame_ = {kept->width, kept->height, {}};
   things_.add(std::move(kept->things), kept->blind_range);
-  if (!is_any_low(*kept)) return;
-  low_.move_to(before);
-  low_.restore(std::move(kept->low));
   low_.move_to(frame_);
-}
-
-/// Whatever else there is: nobody could say where that lies.
-std::optional<Loss> NearLoss::lost_elsewhere(const Patience& patience) {
-  if (!written_.waits()) return std::nullopt;
-  if (!read_since_) read_since_ = patience.now;
-  if (patience.ends(*read_since_)) {
-    written_.forget_read();
-    return std::nullopt;
-  }
-  return Loss{Cause::NearLoss, std::nullopt, true, "an obstacle was lost where the camera does not look now"};
+  if (is_any_low(*kept)) low_.restore(std::move(kept->low), kept->camera_height);
+  return true;
 }
 
 /// The spots of what is remembered in another picture, from a camera that looks the same way; whether it is another.
@@ -264,10 +235,13 @@ bool NearLoss::move_to(const Frame& frame) {
   return true;
 }
 
-/// The axes that places are told in may be other ones.
-void NearLoss::change_corridor() {
-  low_.change_corridor();
-  things_.for_each_spot([](Spot& spot) { spot.place.reset(); });
+/// Where in them the camera was before, nobody knows: where it is now. Frames of one robot are parallel as a rule, and
+/// it looked the same ways.
+void NearLoss::settle_in_axes(const Outlook& outlook) {
+  if (!std::exchange(are_axes_new_, false)) return;
+  low_.change_axes();
+  things_.change_axes(camera_pose_of(outlook).at);
+  backdrop_ = Backdrop{};
 }
 
 /// What is known behind is told as the camera looked before, in the axes as they were: it is looked for anew.
@@ -276,7 +250,6 @@ void NearLoss::turn_corridor(double angle) {
   backdrop_ = Backdrop{};
   things_.stay();
   things_.turn_corridor(angle);
-  written_.turn_corridor(angle);
 }
 
 }  // namespace safety_control_cloud

@@ -44,12 +44,13 @@ class NearLoss {
   /// What is lost or near, in some kilobytes of text, to outlive the process; empty if nothing is.
   /// Brought up to date four times a second, and at once when something is lost or found or nothing is near any more.
   const std::string& serialised() const { return written_.text(); }
-  /// Goes on with what was written down, with each of it once the camera looks as it did when that was seen: until then
-  /// something is lost, wherever it looks. False, and nothing changes, if that makes no sense.
+  /// Goes on with what was written down, as who saw it would have. False, and nothing changes, if that makes no sense.
   bool restore(const std::string& text);
 
   /// The corridor is another one: what is remembered is judged by it from now on.
-  void change_corridor();
+  void change_corridor() { low_.change_corridor(); }
+  /// It is told in another frame.
+  void change_axes() { are_axes_new_ = true; }
   /// It leads elsewhere, by so much to the left [rad].
   void turn_corridor(double angle);
 
@@ -67,8 +68,6 @@ class NearLoss {
   /// and what it does not show is none of it lost.
   void note_blind(const View& view, const Sight& sight, const Outlook& outlook, double now);
 
-  /// Whether anything that another process lost waits for that.
-  bool waits() const { return written_.waits(); }
   /// Whether any thing was near when it was shown last, or is lost.
   bool is_any_near() const { return limits_.distance > 0.0 && written_.is_any_near(); }
 
@@ -80,8 +79,7 @@ class NearLoss {
                                       const Patience& patience);
   std::optional<Loss> judge_points(const View& view, const Sight& sight, const Outlook& outlook,
                                    const Patience& patience);
-  void take_up_what_lies_along(const Outlook& outlook);
-  std::optional<Loss> lost_elsewhere(const Patience& patience);
+  void settle_in_axes(const Outlook& outlook);
   bool note_picture(const View& view, const Sight& sight, const Outlook& outlook);
   bool note_points(const View& view, const Outlook& outlook);
   /// What a raster shows.
@@ -116,7 +114,7 @@ class NearLoss {
   Backdrop backdrop_;
   ThingsMemory things_;
   std::optional<double> lost_since_;  ///< [s] anything, without a break
-  std::optional<double> read_since_;  ///< [s] another process's text is known
+  bool are_axes_new_ = false;         ///< and no picture has come since
   Written written_;
 };
 

@@ -35,7 +35,10 @@ using Index = NearPixels::Index;
 class Finding {
  public:
   explicit Finding(const NearSearch& search)
-      : search_(search), axis_(axis_of(search.outlook)), found_(near_pixels(search)), connected_(found_, jump) {}
+      : search_(search),
+        camera_(camera_pose_of(search.outlook)),
+        found_(near_pixels(search)),
+        connected_(found_, jump) {}
 
   std::vector<Thing> things() const {
     std::vector<Thing> things;
@@ -160,8 +163,7 @@ class Finding {
     Spot spot;
     spot.row = static_cast<std::uint16_t>(found_.row_of(i)), spot.column = found_.column[i];
     spot.point = search_.picture.at(spot.row, spot.column);
-    spot.place = placed(spot.point, search_.outlook);
-    spot.axis = axis_;
+    spot.camera = camera_;
     spot.company = around(i, std::numeric_limits<float>::infinity());
     return spot;
   }
@@ -175,7 +177,7 @@ class Finding {
   static constexpr Index none = std::numeric_limits<Index>::max();
 
   const NearSearch& search_;
-  const Axis axis_;
+  const CameraPose camera_;
   const NearPixels found_;
   const Connected connected_;
 };

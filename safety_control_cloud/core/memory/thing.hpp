@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "../input/cloud.hpp"
-#include "axis.hpp"
+#include "camera_pose.hpp"
 
 namespace safety_control_cloud {
 
@@ -25,18 +25,17 @@ struct Spot {
   std::uint16_t row = 0, column = 0;
   bool row_shown = true, column_shown = true;  ///< by the picture as it is now; if not, it says nothing there
   Point point;                                 ///< in the cloud's frame [m]
-  std::optional<Point> place{};        ///< in the corridor's axes, as the camera looked then [m]; none: as it looks now
-  float share = 0.0f;                  ///< of the thing's size that it stands for [m2]
-  std::uint8_t company = 0;            ///< how many of the 3 x 3 pixels around it returned then
-  std::uint8_t seen_past = 0;          ///< so many successive clouds show something behind it
-  std::uint8_t lost_for = 0;           ///< so many clouds have been asked about it, or more than enough
-  float overhang = 0.0f;               ///< so much the thing recedes at once below it, or more [m]
-  bool stands = false;                 ///< what is seen in this column reached down to the near floor
-  bool foot_unseen = false;            ///< nothing farther away returned in this column below what is seen
+  float share = 0.0f;                          ///< of the thing's size that it stands for [m2]
+  std::uint8_t company = 0;                    ///< how many of the 3 x 3 pixels around it returned then
+  std::uint8_t seen_past = 0;                  ///< so many successive clouds show something behind it
+  std::uint8_t lost_for = 0;                   ///< so many clouds have been asked about it, or more than enough
+  float overhang = 0.0f;                       ///< so much the thing recedes at once below it, or more [m]
+  bool stands = false;                         ///< what is seen in this column reached down to the near floor
+  bool foot_unseen = false;                    ///< nothing farther away returned in this column below what is seen
   bool hung_before = false;            ///< until what is below it was hidden: it does not go with the rest of a thing
   bool went_alone = false;             ///< the rest of the thing was still seen then: it does not go with that
-  std::optional<Axis> axis{};          ///< of the camera then; none: of the first that asks
-  float turning = 0.0f;                ///< [rad] by which the camera turned from the picture before that
+  std::optional<CameraPose> camera{};  ///< then; none: as it is in the first picture that is asked
+  float turning = 0.0f;                ///< [rad] by which its picture turned from the one before
   std::uint32_t picture = 0;           ///< the number of the one that showed it; 0: none did
   std::optional<double> lost_since{};  ///< [s] steady
 

@@ -63,7 +63,7 @@ void ThingsMemory::scale_sizes(double by) {
 
 void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor,
                           const Backdrop& backdrop, float near, Gaze gaze) {
-  const float turning = turning_to(gaze.axis);
+  const float turning = turning_to(gaze.camera);
   auto before = follow(things_, std::move(seen), near, {++picture_, turning});
   for (std::size_t i = 0; i < things_.size(); ++i) lose(things_[i], std::move(before[i]));
   unlearn_blind_range();
@@ -83,28 +83,29 @@ void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const 
     }
     if (thing.lost.empty()) continue;
     if (thing.moved) {
-      if (backdrop.looks_along(gaze.axis)) follow_hole(thing);
+      if (backdrop.is_seen_from(gaze.camera)) follow_hole(thing);
       continue;
     }
     const auto hanging = nearest_hanging(thing.lost);
     const double size = thing.freed + size_of(thing.lost);
     forgive(thing, picture, floor, gaze);
-    const bool may_have_moved = hanging && thing.lost.empty() && !thing.is_seen() && backdrop.looks_along(gaze.axis);
+    const bool may_have_moved = hanging && thing.lost.empty() && !thing.is_seen() && backdrop.is_seen_from(gaze.camera);
     if (!may_have_moved) continue;
     thing.moved = Moved{*hanging, size};
     follow_hole(thing);
   }
-  axis_ = gaze.axis;
+  camera_ = gaze.camera;
   drop_empty();
 }
 
 /// Nothing goes for what is seen behind it, and nothing vanishes: what does not return counts as seen until a picture
 /// says more, but where something else is seen now.
-void ThingsMemory::update_by_little(std::vector<Thing> seen, const Pixels& picture, float near, const Axis& axis) {
-  const float turning = turning_to(axis);
+void ThingsMemory::update_by_little(std::vector<Thing> seen, const Pixels& picture, float near,
+                                    const CameraPose& camera) {
+  const float turning = turning_to(camera);
   auto before = follow(things_, std::move(seen), near, {++picture_, turning});
   const auto is_there = [&](const Spot& spot) {
-    return turning <= still && spot.axis && are_same(*spot.axis, axis, same_axis) &&
+    return turning <= still && spot.camera && show_the_same(*spot.camera, camera) &&
            evidence_of(spot, picture) == Evidence::There;
   };
   const auto drop_what_is_there = [&](std::vector<Spot>& spots) {
@@ -121,7 +122,7 @@ void ThingsMemory::update_by_little(std::vector<Thing> seen, const Pixels& pictu
     drop_what_is_there(thing.lost);
   }
   unlearn_blind_range();
-  axis_ = axis;
+  camera_ = camera;
   drop_empty();
 }
 
@@ -170,8 +171,8 @@ void ThingsMemory::unlearn_blind_range() {
 }
 
 /// [rad] from the picture before.
-float ThingsMemory::turning_to(const Axis& axis) const {
-  return axis_ ? std::acos(std::clamp(cosine_of(*axis_, axis), -1.0f, 1.0f)) : 0.0f;
+float ThingsMemory::turning_to(const CameraPose& camera) const {
+  return camera_ ? turning_between(*camera_, camera) : 0.0f;
 }
 
 void ThingsMemory::lose(Remembered& thing, Thing before) {
@@ -187,12 +188,16 @@ void ThingsMemory::stay_in_hole(Remembered& thing, std::vector<Spot> spots) {
 }
 
 void ThingsMemory::turn_corridor(double angle) {
-  if (axis_) axis_ = axis_turned(*axis_, angle);
+  if (camera_) camera_ = in_turned_axes(*camera_, angle);
   for_each_spot([&](Spot& spot) {
-    if (spot.axis) spot.axis = axis_turned(*spot.axis, angle);
-    if (!spot.place) return;
-    const auto [x, y, z] = in_turned_axes({spot.place->x, spot.place->y, spot.place->z}, angle);
-    spot.place = Point(x, y, z);
+    if (spot.camera) spot.camera = in_turned_axes(*spot.camera, angle);
+  });
+}
+
+void ThingsMemory::change_axes(const std::array<float, 3>& camera_at) {
+  if (camera_) camera_->at = camera_at;
+  for_each_spot([&](Spot& spot) {
+    if (spot.camera) spot.camera->at = camera_at;
   });
 }
 

@@ -32,7 +32,7 @@ class ThingsMemory {
   void update(std::vector<Thing> seen, const Pixels& picture, const NearFloor& floor, const Backdrop& backdrop,
               float near, Gaze gaze);
   /// In a picture most of which returns nothing, only what is seen counts: what is not may be there all the same.
-  void update_by_little(std::vector<Thing> seen, const Pixels& picture, float near, const Axis& axis);
+  void update_by_little(std::vector<Thing> seen, const Pixels& picture, float near, const CameraPose& camera);
   /// Drops what has been lost for too long, and nothing else.
   void forget_old(const Patience& patience);
 
@@ -46,13 +46,13 @@ class ThingsMemory {
   }
   /// Sizes are told but for the picture's angle; that of the next one is another.
   void scale_sizes(double by);
-  /// The corridor leads elsewhere, by so much to the left [rad], and with it turn the axes that places are told in.
+  /// The corridor leads elsewhere, by so much to the left [rad], and with it turn the axes that poses are told in.
   void turn_corridor(double angle);
+  /// They are those of another frame from the next picture on, in which the camera is there: it looked the same ways.
+  void change_axes(const std::array<float, 3>& camera_at);
   /// What has moved is lost where it is by now: what was seen behind is not known any more.
   void stay();
   bool empty() const { return things_.empty(); }
-  /// Which way the camera looked in the latest picture; none: there was none.
-  const std::optional<Axis>& axis() const { return axis_; }
   /// The number of the latest picture.
   std::uint32_t picture() const { return picture_; }
   /// At which things vanished [m]; 0 if none did.
@@ -61,7 +61,7 @@ class ThingsMemory {
   void add(std::vector<Remembered> things, float blind_range);
 
  private:
-  float turning_to(const Axis& axis) const;
+  float turning_to(const CameraPose& camera) const;
   static void lose(Remembered& thing, Thing before);
   static void stay_in_hole(Remembered& thing, std::vector<Spot> spots);
   void note_vanished(Remembered& thing, const Pixels& picture, float near, bool resting);
@@ -71,8 +71,8 @@ class ThingsMemory {
   std::vector<Remembered> things_;
   std::uint32_t picture_ = 0;
   float blind_range_ = 0.0f;
-  std::optional<Axis> axis_;  ///< of the latest picture
-  bool has_turned_ = false;   ///< the camera
+  std::optional<CameraPose> camera_;  ///< of the latest picture
+  bool has_turned_ = false;           ///< the camera, or moved on the robot
 };
 
 }  // namespace safety_control_cloud

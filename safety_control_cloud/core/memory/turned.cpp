@@ -22,9 +22,7 @@ struct Position {
 };
 
 /// Whether it is known where it lies.
-bool is_placed(const Spot& spot, const Gaze& gaze) {
-  return spot.place && spot.axis && gaze.rays.across && gaze.rays.down;
-}
+bool is_placed(const Spot& spot, const Gaze& gaze) { return spot.camera && gaze.rays.across && gaze.rays.down; }
 
 class Turning {
  public:
@@ -101,21 +99,23 @@ bool shows_what_is_behind(const Spot& spot, const TurnedSpot::Place& place, cons
 std::optional<TurnedSpot> turned_spot(const Spot& spot, const Gaze& gaze, const Pixels& picture, float turning) {
   if (!is_placed(spot, gaze)) return std::nullopt;
   const Turning to(gaze, picture);
-  const auto at = to.position_of(*spot.place);
+  const Point place = spot.camera->placed(spot.point);
+  const auto at = to.position_of(place);
   if (!at) return std::nullopt;
   if (!to.is_shown(*at, {0.0, 0.0})) return std::nullopt;
   const Position off = to.pixels_of(std::max(least_off, double{spot.turning} + double{turning}), *at);
   TurnedSpot turned{spot, {}, to.is_shown(*at, off)};
-  turned.spot.point = gaze.outlook.seen_from_camera(*spot.place);
+  turned.spot.point = gaze.outlook.seen_from_camera(place);
   turned.spot.row = static_cast<std::uint16_t>(std::lround(at->row));
   turned.spot.column = static_cast<std::uint16_t>(std::lround(at->column));
   turned.spot.row_shown = turned.spot.column_shown = true;
-  const auto is_as_before = [&](std::array<float, 3> Axis::*direction, float by) {
-    return std::abs(((*spot.axis).*direction)[1] - (gaze.axis.*direction)[1]) < by;
+  const auto is_as_before = [&](std::array<float, 3> CameraPose::*direction, float by) {
+    return std::abs(((*spot.camera).*direction)[1] - (gaze.camera.*direction)[1]) < by;
   };
-  turned.spot.stands = spot.stands && is_as_before(&Axis::right, level) && is_as_before(&Axis::ahead, as_low);
+  turned.spot.stands =
+      spot.stands && is_as_before(&CameraPose::right, level) && is_as_before(&CameraPose::ahead, as_low);
   to.add_around(*at, off, turned.places);
-  Point nearer = *spot.place;
+  Point nearer = place;
   nearer.z -= static_cast<float>(growth / (1.0 + growth)) * std::max(0.0f, nearer.z - gaze.outlook.camera().z);
   const auto end = to.position_of(nearer);
   if (!end) return turned;
@@ -129,7 +129,7 @@ std::optional<TurnedSpot> turned_spot(const Spot& spot, const Gaze& gaze, const 
 std::optional<double> above_or_below(const Spot& spot, const Gaze& gaze, const Pixels& picture) {
   if (!is_placed(spot, gaze)) return std::nullopt;
   const Turning to(gaze, picture);
-  const auto at = to.position_of(*spot.place);
+  const auto at = to.position_of(spot.camera->placed(spot.point));
   return at ? std::optional(to.rows_beyond(*at) * std::abs(gaze.rays.down->slope)) : std::nullopt;
 }
 

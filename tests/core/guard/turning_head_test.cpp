@@ -74,17 +74,29 @@ TEST(TurningHead, WhoLooksBackIsFreeToBackOffAndOnceItIsGoneToDriveOn) {
 }
 
 /// The node ends and begins again, and the head looks elsewhere by then.
-TEST(TurningHead, WhatItLostBeforeARestartStaysUntilItLooksAsItDidThen) {
-  for (const double angle : {0.3, 0.6, 1.2, -1.2, 3.1}) {
+TEST(TurningHead, WhatItLostBeforeARestartStaysWhileItLooksElsewhere) {
+  for (const double angle : {0.02, 0.1, 0.3, 0.6, 1.2, -1.2, 3.1}) {
     RobotWithHead before, robot(false);
     ASSERT_TRUE(robot.control.recall(before.control.remembered()));
     robot.heading = angle;
     for (int i = 0; i < 40; ++i) {
-      robot.looks(robot.wall);
+      robot.looks(robot.around());
       EXPECT_EQ(robot.wants(ahead).factor, 0.0) << angle << " rad: " << robot.wants(ahead).reason;
     }
     EXPECT_EQ(RobotWithHead(false).control.recall(robot.control.remembered()), true) << "nor does another restart";
     robot.heading = 0.0;
+    for (int i = 0; i < 20; ++i) robot.looks(robot.wall);
+    EXPECT_EQ(robot.wants(ahead).factor, 1.0) << angle << " rad: " << robot.wants(ahead).reason;
+  }
+}
+
+TEST(TurningHead, WhatItLostBeforeARestartIsSeenToHaveGoneFromWhereItLooksNow) {
+  for (const double angle : {0.02, 0.03, 0.1, -0.1, 0.3}) {
+    RobotWithHead before, robot(false);
+    ASSERT_TRUE(robot.control.recall(before.control.remembered()));
+    robot.heading = angle;
+    for (int i = 0; i < 5; ++i) robot.looks(robot.around());
+    EXPECT_EQ(robot.wants(ahead).factor, 0.0) << angle << " rad: " << robot.wants(ahead).reason;
     for (int i = 0; i < 20; ++i) robot.looks(robot.wall);
     EXPECT_EQ(robot.wants(ahead).factor, 1.0) << angle << " rad: " << robot.wants(ahead).reason;
   }
@@ -106,7 +118,7 @@ TEST(TurningHead, ThatLooksElsewhereWhenTheNodeEndsTellsWhereItLookedThen) {
   for (int i = 0; i < 20; ++i) before.looks(before.around());
   ASSERT_TRUE(robot.control.recall(before.control.remembered()));
   robot.heading = 0.4;
-  for (int i = 0; i < 20; ++i) robot.looks(robot.wall);
+  for (int i = 0; i < 20; ++i) robot.looks(robot.around());
   EXPECT_EQ(robot.wants(ahead).factor, 0.0) << robot.wants(ahead).reason;
   robot.heading = 0.0;
   for (int i = 0; i < 20; ++i) robot.looks(robot.wall);
@@ -114,7 +126,7 @@ TEST(TurningHead, ThatLooksElsewhereWhenTheNodeEndsTellsWhereItLookedThen) {
 }
 
 /// What comes near meanwhile, and hides no floor, is remembered too.
-TEST(TurningHead, ThatWaitsToLookAsItDidGoesOnRemembering) {
+TEST(TurningHead, ThatLooksElsewhereAfterARestartGoesOnRemembering) {
   const auto hung = [](float away) {
     return Scene({{away, -0.05f, 0.05f, -0.2f, -0.03f}, {2.0f, -9.0f, 9.0f, -9.0f, floor_y}});
   };

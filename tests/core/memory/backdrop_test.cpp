@@ -17,7 +17,7 @@ const std::vector<Backdrop::Part> everywhere = {{-1e6, 1e6, -1e6, 1e6}};
 /// Places that a picture hides of what others before it have shown.
 std::size_t hidden(const Scene& picture, const Scene& before = Scene({wall})) {
   Backdrop backdrop;
-  for (int i = 0; i < 40; ++i) backdrop.note(Pixels(before.view(), 0.0f), Axis{}, {});
+  for (int i = 0; i < 40; ++i) backdrop.note(Pixels(before.view(), 0.0f), CameraPose{}, {});
   return backdrop.hidden_in(Pixels(picture.view(), 0.0f)).size();
 }
 
@@ -51,7 +51,7 @@ TEST(Backdrop, HasNoHoleWhereACoatCameNearAndWentAway) {
   Backdrop backdrop;
   for (float z = 2.4f; z > 0.5f; z -= 0.03f) {
     const Scene scene({{z, -0.2f, 0.2f, -9.0f, 0.05f}, corner});
-    backdrop.note(Pixels(scene.view(), 0.0f), Axis{}, {});
+    backdrop.note(Pixels(scene.view(), 0.0f), CameraPose{}, {});
   }
   EXPECT_EQ(backdrop.hidden_in(Pixels(Scene({corner}).view(), 0.0f)).size(), 0u);
 }
@@ -60,8 +60,8 @@ TEST(Backdrop, HasAHoleForLongOnlyWhereSomethingIsLost) {
   const Scene darkened = with_hole(70, 90);
   const auto hidden_for = [&](int pictures, const Backdrop::Part& lost) {
     Backdrop backdrop;
-    for (int i = 0; i < 40; ++i) backdrop.note(Pixels(Scene({wall}).view(), 0.0f), Axis{}, {});
-    for (int i = 0; i < pictures; ++i) backdrop.note(Pixels(darkened.view(), 0.0f), Axis{}, {lost});
+    for (int i = 0; i < 40; ++i) backdrop.note(Pixels(Scene({wall}).view(), 0.0f), CameraPose{}, {});
+    for (int i = 0; i < pictures; ++i) backdrop.note(Pixels(darkened.view(), 0.0f), CameraPose{}, {lost});
     return backdrop.hidden_in(Pixels(darkened.view(), 0.0f)).size();
   };
   const Backdrop::Part there{0, 119, 65, 95}, beside{0, 119, 20, 50};
@@ -72,9 +72,9 @@ TEST(Backdrop, HasAHoleForLongOnlyWhereSomethingIsLost) {
 
 TEST(Backdrop, HasNoHoleWhereSomebodyHasStoodForAWhileBeforeNothing) {
   Backdrop backdrop;
-  for (int i = 0; i < 200; ++i) backdrop.note(Pixels(with_hole(70, 90).view(), 0.0f), Axis{}, {});
+  for (int i = 0; i < 200; ++i) backdrop.note(Pixels(with_hole(70, 90).view(), 0.0f), CameraPose{}, {});
   const Board coat = {1.2f, -0.08f, 0.08f, -0.33f, -0.01f};
-  for (int i = 0; i < 60; ++i) backdrop.note(Pixels(with_hole(0, 0, {coat, wall}).view(), 0.0f), Axis{}, {});
+  for (int i = 0; i < 60; ++i) backdrop.note(Pixels(with_hole(0, 0, {coat, wall}).view(), 0.0f), CameraPose{}, {});
   EXPECT_EQ(backdrop.hidden_in(Pixels(with_hole(70, 90).view(), 0.0f)).size(), 0u);
 }
 
@@ -85,7 +85,7 @@ TEST(Backdrop, HasNoHolesByChance) {
     const auto seen = [&] { return Scene({wall}).drop(share, random); };
     for (int i = 0; i < 100; ++i) {
       const Scene scene = seen();
-      backdrop.note(Pixels(scene.view(), 0.0f), Axis{}, i > 50 ? everywhere : std::vector<Backdrop::Part>{});
+      backdrop.note(Pixels(scene.view(), 0.0f), CameraPose{}, i > 50 ? everywhere : std::vector<Backdrop::Part>{});
       EXPECT_LT(backdrop.hidden_in(Pixels(scene.view(), 0.0f)).size(), 4u) << share << ", " << i;
     }
   }

@@ -110,7 +110,7 @@ TEST(Forgiving, WhatThePictureDoesNotShowStaysThoughNearlyAllHasGone) {
   const Outlook left({}, Placement{{{{0.995f, 0, -0.1f, 0}, {0, 1, 0, 0}, {0.1f, 0, 0.995f, 0}}}});
   for (const float turning : {0.0f, 0.05f}) {
     Lost thing;
-    thing.lost[9].axis = axis_of(left);
+    thing.lost[9].camera = camera_pose_of(left);
     thing.lost[9].turning = turning;
     for (int i = 0; i < 5; ++i) thing.left_after(wall);
     EXPECT_EQ(thing.lost.size(), turning == 0.0f ? 1u : 0u);

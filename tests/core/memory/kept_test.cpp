@@ -177,8 +177,8 @@ TEST(Kept, WhatMakesNoSenseChangesNothing) {
     memory.restore(damaged);
     if (i % 100 == 0) judged(memory, Scene());
   }
-  EXPECT_FALSE(memory.restore("things-2 nan nan nan nan"));
-  EXPECT_FALSE(memory.restore("things-2 160 120 0 1 1e999 0 5"));
+  EXPECT_FALSE(memory.restore("things-3 nan nan nan nan"));
+  EXPECT_FALSE(memory.restore("things-3 160 120 0 1 1e999 0 5"));
 }
 
 }  // namespace

@@ -29,8 +29,7 @@ Outlook looking(double angle) {
 Spot seen_ahead(float right = 0.0f, float down = 0.0f) {
   Spot spot;
   spot.point = {right, down, 0.45f};
-  spot.place = placed(spot.point, looking(0.0));
-  spot.axis = axis_of(looking(0.0));
+  spot.camera = camera_pose_of(looking(0.0));
   spot.company = 9, spot.share = 1.0f;
   return spot;
 }
@@ -71,7 +70,7 @@ TEST(Turned, NothingIsSaidOfWhatLiesBesideThePictureOrNobodyKnowsWhere) {
   EXPECT_FALSE(turned_spot(seen_ahead(), {looking(3.0), rays}, pixels)) << "behind the camera";
   EXPECT_FALSE(turned_spot(seen_ahead(), {looking(0.2), {}}, pixels)) << "no rays";
   Spot unplaced = seen_ahead();
-  unplaced.place.reset();
+  unplaced.camera.reset();
   EXPECT_FALSE(turned_spot(unplaced, {looking(0.2), rays}, pixels));
   const auto at_border = turned_spot(seen_ahead(), {looking(0.46), rays}, pixels);
   ASSERT_TRUE(at_border);
@@ -95,7 +94,7 @@ TEST(Turned, WhatStoodInATiltedPictureIsNotKnownToStand) {
   Spot spot = seen_ahead();
   spot.stands = true;
   EXPECT_TRUE(turned_spot(spot, {looking(0.2), rays}, pixels)->spot.stands);
-  spot.axis->ahead = {0.0f, -0.1f, 0.995f};
+  spot.camera->ahead = {0.0f, -0.1f, 0.995f};
   EXPECT_FALSE(turned_spot(spot, {looking(0.2), rays}, pixels)->spot.stands);
 }
 

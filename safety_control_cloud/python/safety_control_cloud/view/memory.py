@@ -11,10 +11,10 @@ from safety_control_cloud.view.moment import nothing
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-VERSION = "things-2"
+VERSION = "things-3"
 OTHERS = ("places", "touched")  # what a guard remembers around the robot, by odometry, and what it touches
 BEFORE_THINGS = 3  # width, height, blind range
-BEFORE_SPOTS, SPOT, AFTER_SPOTS = 2, 8, 6  # words
+BEFORE_SPOTS, SPOT, AFTER_SPOTS = 2, 9, 9  # words
 
 
 def spots_in(texts: Sequence[str]) -> NDArray[np.float32]:
@@ -27,7 +27,7 @@ def spots_in(texts: Sequence[str]) -> NDArray[np.float32]:
 
 
 def _spots(text: str) -> List[List[float]]:
-    """A guard writes before it whose it is, and where its corridor leads."""
+    """Before it stands whose it is, of a guard, where its corridor leads, and in which frame its places are."""
     found: List[List[float]] = []
     _, version, rest = text.partition(VERSION)
     if text and not version:

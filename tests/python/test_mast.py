@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A camera on a mast that goes up and down: what is below its picture by then has not gone."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from boxes import picture, placing
+
+from safety_control_cloud import core
+
+CAMERA = np.array([-0.087, 0.0, 0.2972])  # [m] in base_footprint
+RATE, AT = 20.0, 2.0  # [Hz], and [s] at which the mast begins to move
+ROOM = ((3.0, 3.1, -3.0, 3.0, 0.0, 2.5), (-3.0, 3.0, 3.0, 3.1, 0.0, 2.5), (-3.0, 3.0, -3.1, -3.0, 0.0, 2.5))
+SETTINGS = core.Settings(mode="drive", target_frame="base_footprint", bottom=0.05, top=0.8, left=0.3, right=0.3)
+THINGS = {  # [m] how near it comes, how deep and wide it is, and from which height to which
+    "post": (0.25, 0.1, 0.2, 0.0, 0.4),
+    "board": (0.25, 0.1, 0.2, 0.25, 0.45),
+    "crate": (0.25, 0.1, 0.2, 0.0, 0.3),
+    "step": (0.45, 1.6, 1.2, 0.0, 0.045),
+}
+
+
+def drive(height: float, speed: float, thing: str, lowers: bool = False, until: float = 8.0):
+    """What is decided, and when [s]: the robot stands before what it cannot see any more, the mast moves up, and down
+    again if it lowers; the thing is taken away at 6 s."""
+    random = np.random.default_rng(0)
+    control = core.SafetyControl(SETTINGS)
+    nearest, deep, wide, bottom, top = THINGS[thing]
+    for now in np.arange(0.0, until, 1 / RATE):
+        up = np.clip(speed * (now - AT), 0.0, abs(height))
+        if lowers:
+            up = min(up, max(0.0, abs(height) - speed * (now - 6.0)))
+        camera = placing(CAMERA + [0.0, 0.0, np.copysign(up, height)])
+        ahead = max(nearest, 0.9 - 0.5 * now)
+        there = ((ahead, ahead + deep, -wide / 2, wide / 2, bottom, top),) if now < 6.0 else ()
+        yield now, control.decide(picture(camera, (*there, *ROOM), random), now=now, camera=camera)
+
+
+@pytest.mark.parametrize("thing", THINGS)
+@pytest.mark.parametrize(("height", "speed"), [(0.1, 0.2), (0.2, 0.1), (0.4, 0.4), (0.4, 4.0), (0.6, 0.2), (-0.1, 0.2)])
+def test_what_was_lost_stays_though_the_camera_looks_over_it(height, speed, thing):
+    for now, decision in drive(height, speed, thing, until=6.0):
+        if now > 1.0:
+            assert decision.speed == 0.0, f"after {now:.2f} s: {decision.reason}"
+
+
+@pytest.mark.parametrize(("height", "thing"), [(0.4, "post"), (0.4, "crate"), *((0.05, thing) for thing in THINGS)])
+def test_once_it_has_gone_and_the_camera_is_down_again_the_robot_drives(height, thing):
+    for _, decision in drive(height, 0.4, thing, lowers=True):
+        pass
+    assert decision.speed > 0.0, decision.reason
+
+
+@pytest.mark.parametrize("height", [0.05, 0.2, 0.4, -0.1, -0.2])
+def test_where_nothing_is_the_robot_drives_while_the_mast_moves(height):
+    random = np.random.default_rng(0)
+    control = core.SafetyControl(SETTINGS)
+    for now in np.arange(0.0, 6.0, 1 / RATE):
+        up = np.clip(0.2 * (now - AT), 0.0, abs(height))
+        camera = placing(CAMERA + [0.0, 0.0, np.copysign(up, height)])
+        decision = control.decide(picture(camera, ROOM, random), now=now, camera=camera)
+        assert decision.speed > 0.0, f"after {now:.2f} s: {decision.reason}"
