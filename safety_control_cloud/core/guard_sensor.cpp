@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "guard/facing.hpp"
-#include "look/field_of_view.hpp"
 #include "look/outlook.hpp"
 #include "memory/patience.hpp"
 #include "speed/speed.hpp"
@@ -18,7 +17,6 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double long_on_its_way = 0.2;  ///< [s] what comes later after its stamp than this may have one that is off
 constexpr double half_turn = 3.14159265358979323846;  ///< [rad]
 constexpr double turned_away = 0.2;  ///< [rad] by which a camera may look past its corridor before that follows it
 
@@ -53,12 +51,6 @@ std::optional<ZoneCap> cap_by(const Answer& answer, const Settings& settings, do
   if (!settings.zone_caps || !seen) return std::nullopt;
   const Zone zone = zone_of(seen->sight, settings.limits);
   return ZoneCap{zone, speed_for(zone, settings.speeds), {std::cos(facing), std::sin(facing)}};
-}
-
-FieldOfView field_in(const View& view) {
-  const auto field = field_of(view, Sense::Either);
-  const auto* seen = std::get_if<FieldOfView>(&field);
-  return seen ? *seen : FieldOfView{};
 }
 
 }  // namespace
@@ -160,27 +152,15 @@ Look GuardSensor::take(const Reading& reading, const Origin& origin, const Outlo
                        const Given& given) {
   const View& view = sensor_.upright_view();
   around_.finish();
-  const double stamp = taken_at(origin, now), on_its_way = now.ros - stamp;
-  const auto* scan = std::get_if<ScanView>(&reading);
-  const FieldOfView field = scan ? FieldOfView{} : field_in(view);
-  const Eye eye = scan ? eye_of(outlook, *scan) : eye_of(outlook, field);
-  const Heights heights{own_.frame_corridor.bottom, own_.frame_corridor.top};
-  const Horizon horizon = scan ? Horizon(outlook, *scan, heights) : Horizon(outlook, field, heights);
   collected_ = Collected::Now;
   ++looks_;
-  taken_ = Taken{now,
-                 on_its_way,
-                 scan ? scan->lasts : 0.0,
-                 scan ? scan->range_min : 0.0,
-                 eye,
-                 horizon,
-                 field,
-                 outlook,
-                 given.reckoned_at(now.steady - on_its_way)};
-  const double measures_from =
-      scan ? std::max(least_of_scan, scan->range_min + beyond_range_min) : own_.near_loss.blind_range + least_beyond;
-  const double may_last = on_its_way > long_on_its_way ? std::max(on_its_way, taken_->lasts) : taken_->lasts;
-  return {reading, view, outlook, stamp, measures_from, may_last, looks_};
+  taken_.emplace(reading, view, outlook, Heights{own_.frame_corridor.bottom, own_.frame_corridor.top});
+  taken_->arrival = now;
+  taken_->time_to_arrive = now.ros - taken_at(origin, now);
+  taken_->from = given.reckoned_at(now.steady - taken_->time_to_arrive);
+  const double measures_from = taken_->is_scan ? std::max(least_of_scan, taken_->range_min + beyond_range_min)
+                                               : own_.near_loss.blind_range + least_beyond;
+  return {reading, view, outlook, taken_->stamp(), measures_from, taken_->may_last(), looks_};
 }
 
 double GuardSensor::taken_at(const Origin& origin, const Instant& now) const {
@@ -260,9 +240,8 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
     return known;
   }
   known.rings = known.is_placed ? &nothing : &around_.rings();  // or what it saw last is among the places that hide all
-  const double since_arrival = std::max(now.steady - taken_->arrival.steady, now.ros - taken_->arrival.ros);
-  known.age = {since_arrival + taken_->time_to_arrive, law_.sensor_period + taken_->time_to_arrive};
-  known.ways = ways_since_look(now, odometry, given);
+  known.age = {taken_->age_at(now), law_.sensor_period + taken_->time_to_arrive};
+  known.ways = taken_->ways_since(now, odometry, given);
   known.eye = known.lost ? eye_on_what_is_lost() : taken_->eye;
   known.horizon = taken_->horizon;
   known.cap = cap_by(sensor_.answer(), own_, facing_);
@@ -293,31 +272,13 @@ std::optional<Known> GuardSensor::left_behind(const Known& known, double memory_
   return left;
 }
 
-/// By odometry, where it spans the time. Where the stamp may be off, also as if it had been taken when it came; of what
-/// was being taken for a while, also as if at the end of that.
-std::vector<Pose2> GuardSensor::ways_since_look(const Instant& now, const Odometry& odometry,
-                                                const Given& given) const {
-  const double on_its_way = taken_->time_to_arrive;
-  const auto way = odometry.way_since(taken_->arrival.ros - on_its_way, now.ros);
-  const auto way_since_arrival = odometry.way_since(taken_->arrival.ros, now.ros);
-  if (!way || !way_since_arrival) return given.ways_since(taken_->from, now.steady);
-  if (on_its_way <= long_on_its_way && taken_->lasts == 0.0) return {*way};
-  return {*way, *way_since_arrival};
-}
-
 bool GuardSensor::misses(const Point2& place, const Heights& heights, double off) const {
-  if (!taken_ || !taken_->eye.sees(place)) return false;
-  if (own_.input == InputKind::Scan) return length_of(place - taken_->eye.place) - off < taken_->range_min;
-  const auto seen = [&](double height) { return taken_->outlook.seen_from_camera(in_corridor_axes(place, height)); };
-  const Point low = seen(heights.bottom), high = seen(heights.top);
-  const auto is_above = [up = taken_->field.top](const Point& there) { return there.y < up * there.z; };
-  const auto is_below = [down = taken_->field.bottom](const Point& there) { return there.y > down * there.z; };
-  return (is_above(low) && is_above(high)) || (is_below(low) && is_below(high));
+  return taken_ && taken_->misses(place, heights, off);
 }
 
 bool GuardSensor::has_looked_since(double stamp) const {
   const bool is_blind = was_sound_ && std::holds_alternative<Doubt>(sensor_.answer());
-  return taken_ && (is_blind ? last_taken_ : taken_->arrival.ros - taken_->time_to_arrive) >= stamp;
+  return taken_ && (is_blind ? last_taken_ : taken_->stamp()) >= stamp;
 }
 
 double GuardSensor::until_silent(double now) const {

@@ -10,6 +10,7 @@
 #include "guard/odometry.hpp"
 #include "guard/out_of_sight.hpp"
 #include "guard/surroundings.hpp"
+#include "latest_look.hpp"
 #include "sensor.hpp"
 #include "settings.hpp"
 
@@ -77,9 +78,7 @@ class GuardSensor {
   /// Where it looked last; none: it shows nothing.
   std::optional<Eye> eye() const { return taken_ ? std::optional(taken_->eye) : std::nullopt; }
 
-  /// Whether it looks toward a place in base_frame and cannot show what is there: it stands between these heights all
-  /// below a camera's picture, or all above, or maybe nearer than a range finder measures, if it lies up to `off` [m]
-  /// elsewhere.
+  /// See LatestLook.
   bool misses(const Point2& place, const Heights& heights, double off) const;
 
   const Law& law() const { return law_; }
@@ -97,19 +96,6 @@ class GuardSensor {
   const Sight& counted() const { return sensor_.counted(); }
 
  private:
-  /// Of the latest reading that was believed.
-  struct Taken {
-    Instant arrival;
-    double time_to_arrive;  ///< [s] since its stamp, as far as that is believed
-    double lasts;           ///< [s] for which it was being taken after its stamp
-    double range_min;       ///< [m] of a range finder, or else 0
-    Eye eye;
-    Horizon horizon;
-    FieldOfView field;
-    Outlook outlook;
-    Given::Reckoned from;  ///< where the robot was then
-  };
-
   /// By the present settings. Of a sensor that has been blind ever since, what it showed before tells where it looks.
   enum class Collected { Nothing, Before, Now };
 
@@ -119,7 +105,6 @@ class GuardSensor {
   void face(const Reading& reading, const Placing& placing);
   Look take(const Reading& reading, const Origin& origin, const Outlook& outlook, const Instant& now,
             const Given& given);
-  std::vector<Pose2> ways_since_look(const Instant& now, const Odometry& odometry, const Given& given) const;
 
   SensorSettings about_;
   Settings own_;
@@ -130,7 +115,7 @@ class GuardSensor {
   bool is_lost_ahead_ = false;  ///< something, in that corridor, of which nobody else knows where it is
   Sensor sensor_;
   Surroundings around_;
-  std::optional<Taken> taken_;
+  std::optional<LatestLook> taken_;
   Collected collected_ = Collected::Nothing;
   std::optional<Pose2> pose_;  ///< of the robot, as it looked last
   LostSpots lost_;
