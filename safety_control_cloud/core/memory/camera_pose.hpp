@@ -22,6 +22,10 @@ struct CameraPose {
     };
     return {along(0), along(1), along(2)};
   }
+
+  bool operator==(const CameraPose& other) const {
+    return ahead == other.ahead && right == other.right && at == other.at;
+  }
 };
 
 inline CameraPose camera_pose_of(const Outlook& outlook) {

@@ -83,9 +83,7 @@ class Forgiving {
   };
 
   void turn_to_gaze() {
-    const auto is_elsewhere = [&](const Spot& spot) { return !show_the_same(*spot.camera, gaze_.camera); };
-    for (Spot& spot : thing_.lost)
-      if (!spot.camera) spot.camera = gaze_.camera;
+    const auto is_elsewhere = [&](const Spot& spot) { return !show_the_same(spot.camera, gaze_.camera); };
     if (std::none_of(thing_.lost.begin(), thing_.lost.end(), is_elsewhere)) return;
     for (const Spot& spot : thing_.lost) elsewhere_.push_back(is_elsewhere(spot) ? looked_for(spot) : Elsewhere{});
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 #include "../text/reader.hpp"
@@ -42,14 +43,12 @@ std::vector<Spot> spots_of(const Remembered& thing) {
 }
 
 const CameraPose& camera_of(const std::vector<Spot>& lost, const std::vector<Spot>& seen) {
-  static const CameraPose in_its_frame;
-  const Spot& first = lost.empty() ? seen.front() : lost.front();
-  return first.camera ? *first.camera : in_its_frame;
+  return (lost.empty() ? seen : lost).front().camera;
 }
 
 std::vector<Spot> taken_from(const CameraPose& camera, std::vector<Spot>& spots) {
   const auto other = std::stable_partition(spots.begin(), spots.end(), [&](const Spot& spot) {
-    return !spot.camera || show_the_same(*spot.camera, camera);
+    return spot.camera == camera || show_the_same(spot.camera, camera);
   });
   std::vector<Spot> some(spots.begin(), other);
   spots.erase(spots.begin(), other);
@@ -120,6 +119,19 @@ CameraPose camera_in(Reader& reader) {
   return camera;
 }
 
+/// Or no spot of it would lie where it does, and some nowhere.
+bool is_pose(const CameraPose& camera) {
+  constexpr float exact = 0.01f;
+  const auto product = [](const std::array<float, 3>& a, const std::array<float, 3>& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0f);
+  };
+  return std::abs(product(camera.ahead, camera.ahead) - 1.0f) < exact &&
+         std::abs(product(camera.right, camera.right) - 1.0f) < exact &&
+         std::abs(product(camera.ahead, camera.right)) < exact;
+}
+
+bool makes_sense(const Remembered& thing) { return !thing.lost.empty() && is_pose(thing.lost.front().camera); }
+
 Spot spot_in(Reader& reader) {
   Spot spot;
   spot.row = static_cast<std::uint16_t>(reader.count(most_pixels));
@@ -183,6 +195,7 @@ std::optional<Kept> kept_in(const std::string& text) {
   }
   if (columns > 0) kept.camera_height = static_cast<float>(reader.number(-farthest, farthest));
   if (reader.word() != end || !reader.good()) return std::nullopt;
+  if (!std::all_of(kept.things.begin(), kept.things.end(), makes_sense)) return std::nullopt;
   return kept;
 }
 

@@ -7,16 +7,12 @@
 namespace safety_control_cloud {
 namespace {
 
-Point place_of(const Spot& spot, const Outlook& outlook) {
-  return spot.camera ? spot.camera->placed(spot.point) : placed(spot.point, outlook);
-}
-
 /// Where a loss is at the nearest [m].
 double nearest_place(const Loss& loss) { return loss.whole || !loss.obstacle ? 0.0 : loss.obstacle->distance(); }
 
 /// In the corridor, and near enough to count.
 bool is_lost(const Remembered& thing, const Spot& spot, const Outlook& outlook, const KeptWithin& within) {
-  const Point place = place_of(spot, outlook);
+  const Point place = spot.place();
   return outlook.corridor.holds(place) && (thing.vanished || place.z - outlook.camera().z < within.distance);
 }
 
@@ -39,7 +35,7 @@ std::optional<Loss> nearest_loss(const std::vector<Remembered>& things, const Ou
     for (const Spot& spot : thing.lost) {
       if (!is_lost(thing, spot, outlook, within)) continue;
       size += double{spot.share};
-      distance = std::min(distance, double{place_of(spot, outlook).z});
+      distance = std::min(distance, double{spot.place().z});
     }
     if (size == 0.0) continue;
     const bool may_be_nearer = distance - outlook.camera().z < within.may_be_nearer;

@@ -241,6 +241,7 @@ void NearLoss::settle_in_axes(const Outlook& outlook) {
   if (!std::exchange(are_axes_new_, false)) return;
   low_.change_axes();
   things_.change_axes(camera_pose_of(outlook).at);
+  things_.stay();
   backdrop_ = Backdrop{};
 }
 

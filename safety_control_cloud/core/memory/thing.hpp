@@ -34,12 +34,14 @@ struct Spot {
   bool foot_unseen = false;                    ///< nothing farther away returned in this column below what is seen
   bool hung_before = false;            ///< until what is below it was hidden: it does not go with the rest of a thing
   bool went_alone = false;             ///< the rest of the thing was still seen then: it does not go with that
-  std::optional<CameraPose> camera{};  ///< then; none: as it is in the first picture that is asked
+  CameraPose camera{};                 ///< then
   float turning = 0.0f;                ///< [rad] by which its picture turned from the one before
   std::uint32_t picture = 0;           ///< the number of the one that showed it; 0: none did
   std::optional<double> lost_since{};  ///< [s] steady
 
   bool is_shown() const { return row_shown && column_shown; }
+  /// In the corridor's axes [m].
+  Point place() const { return camera.placed(point); }
 };
 
 /// [m2] that they stand for.

@@ -73,7 +73,9 @@ void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const 
   std::optional<std::vector<Backdrop::Place>> hidden;  // asked for once, if at all
   const auto follow_hole = [&](Remembered& thing) {
     if (!hidden) hidden = backdrop.hidden_in(picture);
-    stay_in_hole(thing, thing.moved->spots_in(*hidden, backdrop.pixels_each(), picture.width()));
+    auto spots = thing.moved->spots_in(*hidden, backdrop.pixels_each(), picture.width());
+    for (Spot& spot : spots) spot.camera = gaze.camera;
+    stay_in_hole(thing, std::move(spots));
   };
   for (Remembered& thing : things_) {
     note_vanished(thing, picture, near, rest);
@@ -105,8 +107,7 @@ void ThingsMemory::update_by_little(std::vector<Thing> seen, const Pixels& pictu
   const float turning = turning_to(camera);
   auto before = follow(things_, std::move(seen), near, {++picture_, turning});
   const auto is_there = [&](const Spot& spot) {
-    return turning <= still && spot.camera && show_the_same(*spot.camera, camera) &&
-           evidence_of(spot, picture) == Evidence::There;
+    return turning <= still && show_the_same(spot.camera, camera) && evidence_of(spot, picture) == Evidence::There;
   };
   const auto drop_what_is_there = [&](std::vector<Spot>& spots) {
     spots.erase(std::remove_if(spots.begin(), spots.end(), is_there), spots.end());
@@ -189,16 +190,12 @@ void ThingsMemory::stay_in_hole(Remembered& thing, std::vector<Spot> spots) {
 
 void ThingsMemory::turn_corridor(double angle) {
   if (camera_) camera_ = in_turned_axes(*camera_, angle);
-  for_each_spot([&](Spot& spot) {
-    if (spot.camera) spot.camera = in_turned_axes(*spot.camera, angle);
-  });
+  for_each_spot([&](Spot& spot) { spot.camera = in_turned_axes(spot.camera, angle); });
 }
 
 void ThingsMemory::change_axes(const std::array<float, 3>& camera_at) {
   if (camera_) camera_->at = camera_at;
-  for_each_spot([&](Spot& spot) {
-    if (spot.camera) spot.camera->at = camera_at;
-  });
+  for_each_spot([&](Spot& spot) { spot.camera.at = camera_at; });
 }
 
 void ThingsMemory::stay() {

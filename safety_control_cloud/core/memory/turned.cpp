@@ -21,8 +21,7 @@ struct Position {
   double row, column;
 };
 
-/// Whether it is known where it lies.
-bool is_placed(const Spot& spot, const Gaze& gaze) { return spot.camera && gaze.rays.across && gaze.rays.down; }
+bool are_known(const RayLines& rays) { return rays.across && rays.down; }
 
 class Turning {
  public:
@@ -97,9 +96,9 @@ bool shows_what_is_behind(const Spot& spot, const TurnedSpot::Place& place, cons
 }  // namespace
 
 std::optional<TurnedSpot> turned_spot(const Spot& spot, const Gaze& gaze, const Pixels& picture, float turning) {
-  if (!is_placed(spot, gaze)) return std::nullopt;
+  if (!are_known(gaze.rays)) return std::nullopt;
   const Turning to(gaze, picture);
-  const Point place = spot.camera->placed(spot.point);
+  const Point place = spot.place();
   const auto at = to.position_of(place);
   if (!at) return std::nullopt;
   if (!to.is_shown(*at, {0.0, 0.0})) return std::nullopt;
@@ -110,7 +109,7 @@ std::optional<TurnedSpot> turned_spot(const Spot& spot, const Gaze& gaze, const 
   turned.spot.column = static_cast<std::uint16_t>(std::lround(at->column));
   turned.spot.row_shown = turned.spot.column_shown = true;
   const auto is_as_before = [&](std::array<float, 3> CameraPose::*direction, float by) {
-    return std::abs(((*spot.camera).*direction)[1] - (gaze.camera.*direction)[1]) < by;
+    return std::abs((spot.camera.*direction)[1] - (gaze.camera.*direction)[1]) < by;
   };
   turned.spot.stands =
       spot.stands && is_as_before(&CameraPose::right, level) && is_as_before(&CameraPose::ahead, as_low);
@@ -127,9 +126,9 @@ std::optional<TurnedSpot> turned_spot(const Spot& spot, const Gaze& gaze, const 
 }
 
 std::optional<double> above_or_below(const Spot& spot, const Gaze& gaze, const Pixels& picture) {
-  if (!is_placed(spot, gaze)) return std::nullopt;
+  if (!are_known(gaze.rays)) return std::nullopt;
   const Turning to(gaze, picture);
-  const auto at = to.position_of(spot.camera->placed(spot.point));
+  const auto at = to.position_of(spot.place());
   return at ? std::optional(to.rows_beyond(*at) * std::abs(gaze.rays.down->slope)) : std::nullopt;
 }
 

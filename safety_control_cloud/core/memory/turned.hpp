@@ -23,7 +23,7 @@ struct TurnedSpot {
   bool is_whole = false;  ///< the thing lies in the picture wherever its direction may be
 };
 
-/// None if it lies beside the picture or nobody knows where: how the camera was placed, or which way its pixels look.
+/// None if it lies beside the picture, or nobody knows which way the pixels look.
 /// Its direction is known to the angle by which the camera turned from one picture to the next as the spot was seen,
 /// but to no less than 1 degree.
 /// `turning` [rad]: by so much the camera has turned from the picture before to this one.

@@ -165,6 +165,18 @@ TEST(Kept, NothingIsWrittenDownWhereNothingIsNear) {
   EXPECT_EQ(memory.serialised(), "");
 }
 
+/// Nothing would lie there.
+TEST(Kept, APoseThatIsNoneIsRefused) {
+  Kept kept{640, 480, 0.0f, {lost_at(600)}, {}};
+  ASSERT_TRUE(kept_in(to_text(kept)));
+  for (const float length : {0.0f, 0.5f, 1.1f}) {
+    kept.things.front().lost.front().camera.ahead = {0.0f, 0.0f, length};
+    EXPECT_FALSE(kept_in(to_text(kept))) << length;
+  }
+  kept.things.front().lost.front().camera.ahead = {1.0f, 0.0f, 0.0f};
+  EXPECT_FALSE(kept_in(to_text(kept))) << "to the right of itself";
+}
+
 TEST(Kept, WhatMakesNoSenseChangesNothing) {
   const std::string text = written_down();
   std::mt19937 random(7);
