@@ -119,7 +119,7 @@ TEST(Unplaced, WhatSpeaksAgainstTheCameraIsToldBeforeIt) {
 }
 
 TEST(Unplaced, WhatWasWrittenInAnotherWayStopsTheRobotToo) {
-  for (const char* text : {"things-2 1 2 3", "nonsense", "cloud\nthings-3 160 120 0 0 0 end"}) {
+  for (const char* text : {"things-2 1 2 3", "nonsense", "cloud\nthings-4 160 120 0 0 0 end"}) {
     GuardedRobot guard;
     EXPECT_FALSE(guard.control.recall({text, ""}));
     EXPECT_EQ(guard.drives(free_hall, ahead).cause, Cause::NearLoss) << text;

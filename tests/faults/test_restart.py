@@ -22,7 +22,7 @@ from safety_control_cloud.msg import SafetyState
 
 NOTHING_TOLD = "the ROS master tells nothing of what was near before this start"
 NOT_PLACED = "the ROS master tells of something near or lost before this start that this node cannot place"
-NONSENSE = (["pixels 4294967295 4294967295 0 1 0 1 5"], ["things-3 1 2 3"], ["point nan 0 0"], 7, ["x"] * 9, [["x"]])
+NONSENSE = (["pixels 4294967295 4294967295 0 1 0 1 5"], ["things-4 1 2 3"], ["point nan 0 0"], 7, ["x"] * 9, [["x"]])
 
 
 @contextmanager

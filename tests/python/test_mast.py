@@ -17,13 +17,14 @@ THINGS = {  # [m] how near it comes, how deep and wide it is, and from which hei
     "board": (0.25, 0.1, 0.2, 0.25, 0.45),
     "crate": (0.25, 0.1, 0.2, 0.0, 0.3),
     "step": (0.45, 1.6, 1.2, 0.0, 0.045),
+    "low step": (0.45, 1.6, 1.2, 0.0, 0.03),
 }
 
 
-def drive(height: float, speed: float, thing: str, lowers: bool = False, until: float = 8.0):
+def drive(height: float, speed: float, thing: str, lowers: bool = False, until: float = 8.0, noise: float = 0.0):
     """What is decided, and when [s]: the robot stands before what it cannot see any more, the mast moves up, and down
-    again if it lowers; the thing is taken away at 6 s."""
-    random = np.random.default_rng(0)
+    again if it lowers; the thing is taken away at 6 s. TF is off by some noise [m]."""
+    random, of_tf = np.random.default_rng(0), np.random.default_rng(1)
     control = core.SafetyControl(SETTINGS)
     nearest, deep, wide, bottom, top = THINGS[thing]
     for now in np.arange(0.0, until, 1 / RATE):
@@ -33,7 +34,9 @@ def drive(height: float, speed: float, thing: str, lowers: bool = False, until: 
         camera = placing(CAMERA + [0.0, 0.0, np.copysign(up, height)])
         ahead = max(nearest, 0.9 - 0.5 * now)
         there = ((ahead, ahead + deep, -wide / 2, wide / 2, bottom, top),) if now < 6.0 else ()
-        yield now, control.decide(picture(camera, (*there, *ROOM), random), now=now, camera=camera)
+        said = camera.copy()
+        said[:, 3] += noise * of_tf.standard_normal(3)
+        yield now, control.decide(picture(camera, (*there, *ROOM), random), now=now, camera=said)
 
 
 @pytest.mark.parametrize("thing", THINGS)
@@ -60,3 +63,30 @@ def test_where_nothing_is_the_robot_drives_while_the_mast_moves(height):
         camera = placing(CAMERA + [0.0, 0.0, np.copysign(up, height)])
         decision = control.decide(picture(camera, ROOM, random), now=now, camera=camera)
         assert decision.speed > 0.0, f"after {now:.2f} s: {decision.reason}"
+
+
+@pytest.mark.parametrize("noise", [0.001, 0.003, 0.005])
+@pytest.mark.parametrize("thing", ["post", "board", "low step"])
+def test_noise_in_tf_frees_of_nothing_and_keeps_nothing_that_has_gone(thing, noise):
+    for now, decision in drive(0.0, 0.0, thing, noise=noise):
+        if 1.0 < now < 6.0:
+            assert decision.speed == 0.0, f"after {now:.2f} s: {decision.reason}"
+    assert decision.speed > 0.0, decision.reason
+
+
+@pytest.mark.parametrize("wide", [0.3, 1.6])
+@pytest.mark.parametrize("height", [0.012, 0.03, -0.012, -0.03])
+def test_what_only_hides_the_near_floor_stays_though_the_mast_moves(height, wide):
+    """It slides in from the side, nearer than the camera can see."""
+    random = np.random.default_rng(0)
+    control = core.SafetyControl(SETTINGS)
+    stood = False
+    for now in np.arange(0.0, 5.0, 1 / RATE):
+        up = np.clip(0.1 * (now - 3.0), 0.0, abs(height))
+        camera = placing(CAMERA + [0.0, 0.0, np.copysign(up, height)])
+        aside = 2.0 - min(1.9, 1.2 * max(0.0, now - 0.5))
+        ledge = (0.213, 0.293, aside - wide / 2, aside + wide / 2, 0.0, 0.2)
+        decision = control.decide(picture(camera, (ledge, *ROOM), random), now=now, camera=camera)
+        stood = stood or decision.speed == 0.0
+        assert not stood or decision.speed == 0.0, f"after {now:.2f} s: {decision.reason}"
+    assert stood

@@ -11,16 +11,31 @@ namespace safety_control_cloud {
 
 /// Where a camera is and which way it looks, in the corridor's axes.
 struct CameraPose {
-  std::array<float, 3> ahead = {0.0f, 0.0f, 1.0f}, right = {1.0f, 0.0f, 0.0f}, at = {0.0f, 0.0f, 0.0f};
+  using Vector = std::array<float, 3>;
+
+  Vector ahead = {0.0f, 0.0f, 1.0f}, right = {1.0f, 0.0f, 0.0f}, at = {0.0f, 0.0f, 0.0f};
+
+  Vector down() const {
+    const auto along = [this](std::size_t i, std::size_t j) { return ahead[i] * right[j] - ahead[j] * right[i]; };
+    return {along(1, 2), along(2, 0), along(0, 1)};
+  }
+
+  /// A direction in its frame, in the corridor's axes; and the other way round.
+  Vector out_of(const Vector& seen) const {
+    const Vector below = down();
+    Vector out{};
+    for (std::size_t i = 0; i < 3; ++i) out[i] = right[i] * seen[0] + below[i] * seen[1] + ahead[i] * seen[2];
+    return out;
+  }
+  Vector into(const Vector& direction) const {
+    const auto along = [&](const Vector& a) { return a[0] * direction[0] + a[1] * direction[1] + a[2] * direction[2]; };
+    return {along(right), along(down()), along(ahead)};
+  }
 
   /// What it sees there, in the corridor's axes [m].
   Point placed(const Point& seen) const {
-    const auto along = [&](std::size_t i) {
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      const float down = ahead[j] * right[k] - ahead[k] * right[j];
-      return at[i] + right[i] * seen.x + down * seen.y + ahead[i] * seen.z;
-    };
-    return {along(0), along(1), along(2)};
+    const auto [x, y, z] = out_of({seen.x, seen.y, seen.z});
+    return {at[0] + x, at[1] + y, at[2] + z};
   }
 
   bool operator==(const CameraPose& other) const {
@@ -39,6 +54,13 @@ inline CameraPose in_turned_axes(const CameraPose& pose, double angle) {
   return {in_turned_axes(pose.ahead, angle), in_turned_axes(pose.right, angle), in_turned_axes(pose.at, angle)};
 }
 
+/// The same in axes in which a camera that was `before` in these ones, and has not moved, is `now`.
+inline CameraPose in_axes_of(const CameraPose& now, const CameraPose& before, const CameraPose& pose) {
+  const auto direction = [&](const CameraPose::Vector& old) { return now.out_of(before.into(old)); };
+  const auto [x, y, z] = direction({pose.at[0] - before.at[0], pose.at[1] - before.at[1], pose.at[2] - before.at[2]});
+  return {direction(pose.ahead), direction(pose.right), {now.at[0] + x, now.at[1] + y, now.at[2] + z}};
+}
+
 /// Cosine of the angle between them, the greater of that ahead and that to the right.
 inline float cosine_between(const CameraPose& a, const CameraPose& b) {
   const auto cosine = [](const std::array<float, 3>& one, const std::array<float, 3>& other) {
@@ -52,16 +74,20 @@ inline float distance_between(const CameraPose& a, const CameraPose& b) {
   return std::hypot(a.at[0] - b.at[0], a.at[1] - b.at[1], a.at[2] - b.at[2]);
 }
 
+constexpr float same_place = 0.01f;  ///< [m]
+
 /// Whether a camera in either shows the same places in the same pixels of its picture: up to 1 degree (its cosine) and
 /// 1 cm.
 inline bool show_the_same(const CameraPose& a, const CameraPose& b) {
-  return cosine_between(a, b) > 0.99985f && distance_between(a, b) < 0.01f;
+  return cosine_between(a, b) > 0.99985f && distance_between(a, b) < same_place;
 }
 
-/// [rad] By so much what is as near as a camera sees turns in its picture from one pose to the other.
+/// [rad] By so much what is as near as a camera sees turns in its picture from one pose to the other. By less than a
+/// place counts as the same, TF may be off.
 inline float turning_between(const CameraPose& a, const CameraPose& b) {
   constexpr float near = 0.35f;  // [m]
-  return std::max(std::acos(std::clamp(cosine_between(a, b), -1.0f, 1.0f)), distance_between(a, b) / near);
+  const float away = distance_between(a, b);
+  return std::max(std::acos(std::clamp(cosine_between(a, b), -1.0f, 1.0f)), away < same_place ? 0.0f : away / near);
 }
 
 /// [rad] By so much, 0.3 degrees, it may turn for a camera that rests.

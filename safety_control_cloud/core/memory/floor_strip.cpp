@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace safety_control_cloud {
 namespace {
@@ -28,6 +29,7 @@ constexpr NearGround::Code forgotten = 1;
 constexpr std::size_t border_share_of_height = 8;
 
 constexpr float as_high = 0.01f;  ///< [m] for a camera that bumps along with its robot
+constexpr int highest = std::numeric_limits<NearGround::Code>::max() - 1;
 
 /// The least code that is still floor in a row; those from it on are the floor, or elsewhere. The floor moves by 2 %
 /// when the robot pitches by half a degree; a foot stands out by more than this.
@@ -38,9 +40,14 @@ std::size_t post_of(std::size_t columns) { return std::max<std::size_t>(2, colum
 }  // namespace
 
 void FloorStrip::move_to(float camera_height) {
-  if (std::abs(camera_height - camera_height_) < as_high) return;
-  *this = FloorStrip{};
+  const float up = camera_height - camera_height_.value_or(camera_height);
+  if (camera_height_ && std::abs(up) < as_high) return;
+  const bool is_any_hidden = !covered().empty();
+  if (!is_any_hidden) *this = FloorStrip{};
   camera_height_ = camera_height;
+  for (Code& lowest : lowest_)
+    if (lowest > 0)
+      lowest = static_cast<Code>(std::clamp<int>(lowest + static_cast<int>(std::lround(1000.0f * up)), 1, highest));
 }
 
 void FloorStrip::survey(const NearGround& ground, const Patience& patience) {

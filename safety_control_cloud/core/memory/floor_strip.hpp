@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "blank_shares.hpp"
@@ -27,9 +28,11 @@ class FloorStrip {
   /// For so many clouds a column that was mostly blank may count as that: strays fill it now and then.
   static constexpr std::uint8_t lately = 8;
 
-  /// Which rows show it is another matter for a camera that goes up or down on its mast: it is so high [m] in the next
-  /// picture, and if that is elsewhere, all that was learned is forgotten.
+  /// The camera is so high [m] in the next picture, in the corridor's axes. On a mast that goes up or down, other rows
+  /// show the floor: all that was learned is learned anew, unless something hides the floor, which does so still.
   void move_to(float camera_height);
+  /// It is so in other axes.
+  void change_axes() { camera_height_.reset(); }
 
   /// Finds the floor again in the latest picture. That it was ever seen in a column is forgotten once that has
   /// been blank for too long: what the picture shows by itself, a gap between floor and floor, is not.
@@ -60,8 +63,8 @@ class FloorStrip {
   bool is_border(std::size_t column, std::size_t size) const;
   bool shows_floor(std::size_t i) const;
 
-  float camera_height_ = 0.0f;  ///< [m] in the corridor's axes, as this was learned
-  std::vector<Code> lowest_;    ///< ground of each row; 0 = none
+  std::optional<float> camera_height_;  ///< [m] as this was learned; none: no picture has come
+  std::vector<Code> lowest_;            ///< ground of each row; 0 = none
   std::vector<std::size_t> rows_;
   double middle_ = 0.0;               ///< the column that looks straight ahead
   bool above_border_ = false;         ///< the lowest rows return nothing

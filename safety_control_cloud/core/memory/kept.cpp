@@ -12,9 +12,9 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr const char* version = "things-3";
+constexpr const char* version = "things-4";
 constexpr const char* end = "end";
-constexpr const char* too_much = "things-3 more is lost than can be told";  // which kept_in refuses
+constexpr const char* too_much = "things-4 more is lost than can be told";  // which kept_in refuses
 constexpr std::size_t most_things = 32, most_spots = 12, most_spots_lost = 8;
 constexpr std::size_t most_columns = NearGround::most_columns * 2, most_pixels = 65535;
 constexpr double farthest = 100.0;  // [m]
@@ -40,37 +40,6 @@ std::vector<Spot> spots_of(const Remembered& thing) {
   const auto seen = some_of(thing.seen.spots, most_spots - spots.size());
   spots.insert(spots.end(), seen.begin(), seen.end());
   return spots;
-}
-
-const CameraPose& camera_of(const std::vector<Spot>& lost, const std::vector<Spot>& seen) {
-  return (lost.empty() ? seen : lost).front().camera;
-}
-
-std::vector<Spot> taken_from(const CameraPose& camera, std::vector<Spot>& spots) {
-  const auto other = std::stable_partition(spots.begin(), spots.end(), [&](const Spot& spot) {
-    return spot.camera == camera || show_the_same(spot.camera, camera);
-  });
-  std::vector<Spot> some(spots.begin(), other);
-  spots.erase(spots.begin(), other);
-  return some;
-}
-
-std::vector<Remembered> parted_by_camera(std::vector<Remembered> things) {
-  std::vector<Remembered> parts;
-  for (Remembered& thing : things) {
-    const double size = thing.size;
-    bool is_whole = true;
-    while (!thing.lost.empty() || thing.is_seen()) {
-      const CameraPose camera = camera_of(thing.lost, thing.seen.spots);
-      Remembered part = thing;
-      part.lost = taken_from(camera, thing.lost);
-      part.seen.spots = taken_from(camera, thing.seen.spots);
-      is_whole = is_whole && thing.lost.empty() && !thing.is_seen();
-      if (!is_whole) part.size = std::min(size, size_of(part.lost) + size_of(part.seen.spots));
-      parts.push_back(std::move(part));
-    }
-  }
-  return parts;
 }
 
 bool is_any_lost(const Remembered& thing) { return !thing.lost.empty(); }
@@ -101,14 +70,30 @@ void write(const CameraPose& camera, std::ostream& to) {
     for (const float along : part) to << ' ' << along;
 }
 
-void write(const Remembered& thing, std::ostream& to) {
+/// Those from which any of some spots was seen, each once.
+class Cameras {
+ public:
+  std::size_t number_of(const CameraPose& camera) {
+    const auto is_it = [&](const CameraPose& one) { return one == camera || show_the_same(one, camera); };
+    const auto known = std::find_if(all_.begin(), all_.end(), is_it);
+    const auto number = static_cast<std::size_t>(known - all_.begin());
+    if (known == all_.end()) all_.push_back(camera);
+    return number;
+  }
+  const std::vector<CameraPose>& all() const { return all_; }
+
+ private:
+  std::vector<CameraPose> all_;
+};
+
+void write(const Remembered& thing, Cameras& cameras, std::ostream& to) {
   const auto spots = spots_of(thing);
   to << ' ' << thing.size << ' ' << thing.vanished << ' ' << spots.size();
   for (const Spot& spot : spots) {
     to << ' ' << spot.row << ' ' << spot.column << ' ' << spot.point.x << ' ' << spot.point.y << ' ' << spot.point.z
-       << ' ' << spot.share << ' ' << int{spot.company} << ' ' << flags_of(spot) << ' ' << spot.turning;
+       << ' ' << spot.share << ' ' << int{spot.company} << ' ' << flags_of(spot) << ' ' << spot.turning << ' '
+       << cameras.number_of(spot.camera);
   }
-  write(camera_of(spots, spots), to);
 }
 
 CameraPose camera_in(Reader& reader) {
@@ -122,7 +107,7 @@ CameraPose camera_in(Reader& reader) {
 /// Or no spot of it would lie where it does, and some nowhere.
 bool is_pose(const CameraPose& camera) {
   constexpr float exact = 0.01f;
-  const auto product = [](const std::array<float, 3>& a, const std::array<float, 3>& b) {
+  const auto product = [](const CameraPose::Vector& a, const CameraPose::Vector& b) {
     return std::inner_product(a.begin(), a.end(), b.begin(), 0.0f);
   };
   return std::abs(product(camera.ahead, camera.ahead) - 1.0f) < exact &&
@@ -130,9 +115,7 @@ bool is_pose(const CameraPose& camera) {
          std::abs(product(camera.ahead, camera.right)) < exact;
 }
 
-bool makes_sense(const Remembered& thing) { return !thing.lost.empty() && is_pose(thing.lost.front().camera); }
-
-Spot spot_in(Reader& reader) {
+Spot spot_in(Reader& reader, const std::vector<CameraPose>& cameras) {
   Spot spot;
   spot.row = static_cast<std::uint16_t>(reader.count(most_pixels));
   spot.column = static_cast<std::uint16_t>(reader.count(most_pixels));
@@ -143,18 +126,17 @@ Spot spot_in(Reader& reader) {
   spot.company = static_cast<std::uint8_t>(reader.count(9));
   set_flags(spot, reader.count((1U << flags_kept.size()) - 1));
   spot.turning = static_cast<float>(reader.number(0.0, 10.0));
+  spot.camera = cameras[reader.count(cameras.size() - 1)];
   return spot;
 }
 
-Remembered thing_in(Reader& reader) {
+Remembered thing_in(Reader& reader, const std::vector<CameraPose>& cameras) {
   Remembered thing;
   thing.size = reader.number(0.0, 1e4);
   thing.vanished = reader.count(1) == 1;
   thing.clouds = 1;
   const std::size_t spots = reader.count(most_spots);
-  for (std::size_t i = 0; i < spots && reader.good(); ++i) thing.lost.push_back(spot_in(reader));
-  const CameraPose camera = camera_in(reader);
-  for (Spot& spot : thing.lost) spot.camera = camera;
+  for (std::size_t i = 0; i < spots && reader.good(); ++i) thing.lost.push_back(spot_in(reader, cameras));
   return thing;
 }
 
@@ -167,15 +149,17 @@ bool is_any_low(const Kept& kept) {
 std::string to_text(const Kept& kept) {
   const bool low = is_any_low(kept);
   if (kept.things.empty() && !low && kept.blind_range == 0.0f && !kept.more) return {};
-  const std::vector<Remembered> things = as_many_of(parted_by_camera(kept.things));
+  const std::vector<Remembered> things = as_many_of(kept.things);
   if (kept.more || things.size() > most_things) return too_much;
-  std::ostringstream text;
-  text.precision(5);
-  text << version << ' ' << kept.width << ' ' << kept.height << ' ' << kept.blind_range << ' ' << things.size();
-  for (const Remembered& thing : things) write(thing, text);
-  text << ' ' << (low ? kept.low.size() : 0);
+  std::ostringstream text, of_things;
+  for (std::ostringstream* one : {&text, &of_things}) one->precision(5);
+  Cameras cameras;
+  cameras.number_of(kept.camera);  // the first
+  for (const Remembered& thing : things) write(thing, cameras, of_things);
+  text << version << ' ' << kept.width << ' ' << kept.height << ' ' << kept.blind_range << ' ' << cameras.all().size();
+  for (const CameraPose& camera : cameras.all()) write(camera, text);
+  text << ' ' << things.size() << of_things.str() << ' ' << (low ? kept.low.size() : 0);
   for (std::size_t i = 0; low && i < kept.low.size(); ++i) text << ' ' << kept.low[i];
-  if (low) text << ' ' << kept.camera_height;
   text << ' ' << end;
   return text.str();
 }
@@ -187,15 +171,18 @@ std::optional<Kept> kept_in(const std::string& text) {
   kept.width = reader.count(most_pixels);
   kept.height = reader.count(most_pixels);
   kept.blind_range = static_cast<float>(reader.number(0.0, 10.0));
+  const std::size_t poses = reader.count(1 + most_things * most_spots);
+  std::vector<CameraPose> cameras;
+  for (std::size_t i = 0; i < poses && reader.good(); ++i) cameras.push_back(camera_in(reader));
+  if (cameras.empty() || !std::all_of(cameras.begin(), cameras.end(), is_pose)) return std::nullopt;
+  kept.camera = cameras.front();
   const std::size_t things = reader.count(most_things);
-  for (std::size_t i = 0; i < things && reader.good(); ++i) kept.things.push_back(thing_in(reader));
+  for (std::size_t i = 0; i < things && reader.good(); ++i) kept.things.push_back(thing_in(reader, cameras));
   const std::size_t columns = reader.count(most_columns);
   for (std::size_t i = 0; i < columns && reader.good(); ++i) {
     kept.low.push_back(static_cast<NearGround::Code>(reader.number(0.0, 32766.0)));
   }
-  if (columns > 0) kept.camera_height = static_cast<float>(reader.number(-farthest, farthest));
   if (reader.word() != end || !reader.good()) return std::nullopt;
-  if (!std::all_of(kept.things.begin(), kept.things.end(), makes_sense)) return std::nullopt;
   return kept;
 }
 

@@ -16,13 +16,12 @@ struct Kept {
   float blind_range = 0.0f;           ///< [m] learned
   std::vector<Remembered> things;
   std::vector<NearGround::Code> low;  ///< LowObstacles::floor()
-  float camera_height = 0.0f;         ///< [m] of the camera below the corridor's frame, as it tells of the low ones
+  CameraPose camera{};                ///< in the latest picture
   bool more = false;                  ///< is lost than this tells of
 };
 
-/// A line of text of at most 40 kilobytes: of each thing only some spots, and one that was seen from several poses of
-/// the camera as several. Empty if there is nothing to keep. Where more is lost than fits into it, it says only that,
-/// and is not read again: nobody knows then where they all are.
+/// A line of text of at most 50 kilobytes: of each thing only some spots. Empty if there is nothing to keep. Where more
+/// is lost than fits into it, it says only that, and is not read again: nobody knows then where they all are.
 std::string to_text(const Kept& kept);
 
 /// Whether any is told of.

@@ -93,6 +93,17 @@ void LowObstacles::move_to(const Frame& frame) {
   }
 }
 
+void LowObstacles::move_to(float camera_height) {
+  if (!camera_height_) camera_height_ = camera_height;
+  const auto up = static_cast<int>(std::lround(1000.0f * (camera_height - *camera_height_)));  // [mm]
+  if (up == 0) return;
+  *camera_height_ += static_cast<float>(up) / 1000.0f;  // what is left counts with the next
+  const auto moved = [=](Millimetres floor) { return static_cast<Millimetres>(std::clamp(floor + up, 1, none - 1)); };
+  for (Millimetres& floor : floor_)
+    if (floor > 0) floor = moved(floor);
+  for (Beside& step : beside_) step.floor = moved(step.floor);
+}
+
 /// Those in the picture, if they are as wide as a post and its rays are known, and those beside it.
 std::vector<LowObstacles::Beside> LowObstacles::all_steps() const {
   std::vector<Beside> steps = beside_;
@@ -121,7 +132,7 @@ bool LowObstacles::shows(const Beside& step) const {
 }
 
 void LowObstacles::survey(const NearGround& ground, const Pixels& picture, const Outlook& outlook) {
-  note(ground, outlook);
+  note(ground);
   look_beside(ground, picture, outlook);
   for (std::size_t i = 0; i < ground.columns(); ++i)
     if (!shows_step(i, ground) && !hides_floor(i)) floor_[i] = 0;
@@ -139,24 +150,10 @@ void LowObstacles::look_beside(const NearGround& ground, const Pixels& picture, 
 }
 
 /// Nearer, the lowest pixel shows more and more of the step.
-void LowObstacles::note(const NearGround& ground, const Outlook& outlook) {
-  move_with_camera(outlook);
+void LowObstacles::note(const NearGround& ground) {
   look_at(ground);
   for (std::size_t i = 0; i < ground.columns(); ++i)
     if (shows_step(i, ground)) floor_[i] = std::max(floor_[i], lowest_[i]);
-}
-
-/// On a mast that goes up, the floor before a step goes down.
-void LowObstacles::move_with_camera(const Outlook& outlook) {
-  const float now = outlook.camera().y;
-  if (!camera_height_) camera_height_ = now;
-  const auto down = static_cast<int>(std::lround(1000.0f * (*camera_height_ - now)));  // [mm]
-  if (down == 0) return;
-  *camera_height_ -= static_cast<float>(down) / 1000.0f;  // what is left counts with the next
-  const auto moved = [=](Millimetres floor) { return static_cast<Millimetres>(std::clamp(floor + down, 1, none - 1)); };
-  for (Millimetres& floor : floor_)
-    if (floor > 0) floor = moved(floor);
-  for (Beside& step : beside_) step.floor = moved(step.floor);
 }
 
 /// One pixel alone may be noise.

@@ -31,23 +31,24 @@ class LowObstacles {
                             const Patience& patience);
 
   /// Of a picture that shows too little to forget anything: what is seen in it is kept.
-  void note(const NearGround& ground, const Outlook& outlook);
+  void note(const NearGround& ground);
 
   /// The next picture lies in this frame.
   void move_to(const Frame& frame);
 
   /// The corridor is another one. What is kept stays, but where the next cloud shows that it lies beside it.
   void change_corridor() { is_corridor_new_ = true; }
-  /// And it is told in another frame.
+  /// The camera is so high [m] in the next picture, in the corridor's axes: on a mast that goes up, the floor before a
+  /// step goes down.
+  void move_to(float camera_height);
+  /// It is so in other axes.
   void change_axes() { camera_height_.reset(); }
 
   /// Of each column, the floor before a step that is kept [mm below the camera]; 0 if there is none.
   const std::vector<NearGround::Code>& floor() const { return floor_; }
   /// Whether there are others, beside the picture.
   bool any_beside() const { return !beside_.empty(); }
-  /// The camera's, below the frame of the corridor, in the latest picture [m].
-  float camera_height() const { return camera_height_.value_or(0.0f); }
-  /// All of that, as another process knew it.
+  /// As another process knew it, of a camera that was so high [m].
   void restore(std::vector<NearGround::Code> floor, float camera_height) {
     floor_ = std::move(floor), camera_height_ = camera_height;
   }
@@ -67,7 +68,6 @@ class LowObstacles {
   bool shows(const Beside& step) const;
   void survey(const NearGround& ground, const Pixels& picture, const Outlook& outlook);
   void look_beside(const NearGround& ground, const Pixels& picture, const Outlook& outlook);
-  void move_with_camera(const Outlook& outlook);
   void look_at(const NearGround& ground);
   bool shows_step(std::size_t column, const NearGround& ground) const;
   void forget_old(const Patience& patience);
@@ -86,7 +86,7 @@ class LowObstacles {
   std::vector<double> hidden_since_;    ///< [s] steady: the floor before the step
   std::vector<std::int16_t> above_;     ///< pixels that show ground a step above that, or above `floor_`
   bool is_corridor_new_ = false;        ///< and no cloud has come since
-  std::optional<float> camera_height_;  ///< [m] see camera_height(); none: no picture has come
+  std::optional<float> camera_height_;  ///< [m] as `floor_` is told; none: no picture has come
 };
 
 }  // namespace safety_control_cloud

@@ -70,7 +70,7 @@ bool NearLoss::cuts_off(const Sight& sight, const Outlook& outlook) const {
 std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const Outlook& outlook, double now) {
   if (limits_.distance <= 0.0) return std::nullopt;
   const Patience patience{now, limits_.timeout};
-  settle_in_axes(outlook);
+  move_with_camera(outlook);
   auto loss =
       is_picture(view) ? judge_organised(view, sight, outlook, patience) : judge_points(view, sight, outlook, patience);
   write_down(loss && !is_in_sight(*loss), now);
@@ -88,7 +88,7 @@ std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const 
 
 void NearLoss::note_blind(const View& view, const Sight& sight, const Outlook& outlook, double now) {
   if (limits_.distance <= 0.0) return;
-  settle_in_axes(outlook);
+  move_with_camera(outlook);
   const bool any =
       is_picture(view) ? note_picture(view, sight, outlook) : shows_near(sight, outlook) && note_points(view, outlook);
   if (any) write_down(written_.is_any_lost(), now);
@@ -99,7 +99,7 @@ bool NearLoss::note_picture(const View& view, const Sight& sight, const Outlook&
   ground_.look_at(picture, outlook, near_distance());
   const bool any =
       shows_near(sight, outlook) && note({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels});
-  low_.note(ground_, outlook);
+  low_.note(ground_);
   return any;
 }
 
@@ -191,7 +191,6 @@ std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight,
 void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, const Patience& patience) {
   auto things = near_things(search);
   place_on_ground(things, ground_, search.picture, search.outlook);
-  floor_.move_to(search.outlook.camera().y);
   floor_.survey(ground_, patience);
   const auto is_seen_again = [&](std::size_t column) {
     const std::size_t i = ground_.column_at(column);
@@ -204,8 +203,8 @@ void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, 
 
 void NearLoss::write_down(bool lost, double now) {
   const auto kept = [this] {
-    return Kept{frame_.width, frame_.height,        things_.blind_range(), things_.things(),
-                low_.floor(), low_.camera_height(), low_.any_beside()};
+    return Kept{frame_.width, frame_.height,    things_.blind_range(), things_.things(),
+                low_.floor(), things_.camera(), low_.any_beside()};
   };
   written_.bring_up_to_date(things_.things(), near_distance(), lost, now, kept);
 }
@@ -216,9 +215,9 @@ bool NearLoss::restore(const std::string& text) {
   forget();
   written_ = Written(text, !kept->things.empty() || is_any_low(*kept));
   frame_ = {kept->width, kept->height, {}};
-  things_.add(std::move(kept->things), kept->blind_range);
+  things_.add(std::move(kept->things), kept->blind_range, kept->camera);
   low_.move_to(frame_);
-  if (is_any_low(*kept)) low_.restore(std::move(kept->low), kept->camera_height);
+  if (is_any_low(*kept)) low_.restore(std::move(kept->low), height_.note(-kept->camera.at[1]));
   return true;
 }
 
@@ -235,14 +234,21 @@ bool NearLoss::move_to(const Frame& frame) {
   return true;
 }
 
-/// Where in them the camera was before, nobody knows: where it is now. Frames of one robot are parallel as a rule, and
-/// it looked the same ways.
 void NearLoss::settle_in_axes(const Outlook& outlook) {
   if (!std::exchange(are_axes_new_, false)) return;
+  height_ = CameraHeight{};
   low_.change_axes();
-  things_.change_axes(camera_pose_of(outlook).at);
+  floor_.change_axes();
+  things_.change_axes(camera_pose_of(outlook));
   things_.stay();
   backdrop_ = Backdrop{};
+}
+
+void NearLoss::move_with_camera(const Outlook& outlook) {
+  settle_in_axes(outlook);
+  const float height = height_.note(-outlook.camera().y);
+  low_.move_to(height);
+  floor_.move_to(height);
 }
 
 /// What is known behind is told as the camera looked before, in the axes as they were: it is looked for anew.

@@ -8,6 +8,7 @@
 #include "../input/runs.hpp"
 #include "../look/sight.hpp"
 #include "backdrop.hpp"
+#include "camera_height.hpp"
 #include "floor_strip.hpp"
 #include "frame.hpp"
 #include "losses.hpp"
@@ -80,6 +81,7 @@ class NearLoss {
   std::optional<Loss> judge_points(const View& view, const Sight& sight, const Outlook& outlook,
                                    const Patience& patience);
   void settle_in_axes(const Outlook& outlook);
+  void move_with_camera(const Outlook& outlook);
   bool note_picture(const View& view, const Sight& sight, const Outlook& outlook);
   bool note_points(const View& view, const Outlook& outlook);
   /// What a raster shows.
@@ -106,6 +108,7 @@ class NearLoss {
   NearLossLimits limits_;
   Frame frame_;  ///< in which the spots lie
   Optics optics_;
+  CameraHeight height_;
   NearGround ground_;
   FloorStrip floor_;
   LowObstacles low_;

@@ -50,9 +50,10 @@ void drop_what_is_seen(std::vector<Spot>& lost, const Gaze& gaze, float turning,
 
 }  // namespace
 
-void ThingsMemory::add(std::vector<Remembered> things, float blind_range) {
+void ThingsMemory::add(std::vector<Remembered> things, float blind_range, const CameraPose& camera) {
   std::move(things.begin(), things.end(), std::back_inserter(things_));
   blind_range_ = std::max(blind_range_, blind_range);
+  camera_ = camera;
 }
 
 void ThingsMemory::scale_sizes(double by) {
@@ -193,9 +194,10 @@ void ThingsMemory::turn_corridor(double angle) {
   for_each_spot([&](Spot& spot) { spot.camera = in_turned_axes(spot.camera, angle); });
 }
 
-void ThingsMemory::change_axes(const std::array<float, 3>& camera_at) {
-  if (camera_) camera_->at = camera_at;
-  for_each_spot([&](Spot& spot) { spot.camera.at = camera_at; });
+void ThingsMemory::change_axes(const CameraPose& now) {
+  if (!camera_) return;
+  for_each_spot([&](Spot& spot) { spot.camera = in_axes_of(now, *camera_, spot.camera); });
+  camera_ = now;
 }
 
 void ThingsMemory::stay() {

@@ -48,8 +48,8 @@ class ThingsMemory {
   void scale_sizes(double by);
   /// The corridor leads elsewhere, by so much to the left [rad], and with it turn the axes that poses are told in.
   void turn_corridor(double angle);
-  /// They are those of another frame from the next picture on, in which the camera is there: it looked the same ways.
-  void change_axes(const std::array<float, 3>& camera_at);
+  /// They are those of another frame from the next picture on, in which the camera, which has not moved, is there.
+  void change_axes(const CameraPose& now);
   /// What has moved is lost where it is by now: what was seen behind is not known any more.
   void stay();
   bool empty() const { return things_.empty(); }
@@ -57,8 +57,10 @@ class ThingsMemory {
   std::uint32_t picture() const { return picture_; }
   /// At which things vanished [m]; 0 if none did.
   float blind_range() const { return blind_range_; }
-  /// These are remembered too, of which nothing is seen.
-  void add(std::vector<Remembered> things, float blind_range);
+  /// The camera's in the latest picture.
+  CameraPose camera() const { return camera_.value_or(CameraPose{}); }
+  /// These are remembered too, of which nothing is seen, since that camera was there.
+  void add(std::vector<Remembered> things, float blind_range, const CameraPose& camera);
 
  private:
   float turning_to(const CameraPose& camera) const;

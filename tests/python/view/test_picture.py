@@ -85,7 +85,7 @@ def test_what_the_core_remembers_is_where_it_was_seen():
     assert np.array_equal(spots_in([*control.remembered(), "touched-1 1 bumper front end", "places-2 1 0 0 0 0 end"]), spots)
 
 
-@pytest.mark.parametrize("text", ["", "things-2 1 1 1", "things-3", "things-3 64 48 0.4 1 2 0 1 3 4", "things-3 64 48 0.4 x"])
+@pytest.mark.parametrize("text", ["", "things-2 1 1 1", "things-4", "things-4 64 48 0.4 1 2 0 1 3 4", "things-4 64 48 0.4 x"])
 def test_a_text_that_is_not_understood_is_nothing(text):
     assert spots_in([text]).shape == (0, 3)
 

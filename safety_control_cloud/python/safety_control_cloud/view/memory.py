@@ -11,10 +11,10 @@ from safety_control_cloud.view.moment import nothing
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-VERSION = "things-3"
+VERSION = "things-4"
 OTHERS = ("places", "touched")  # what a guard remembers around the robot, by odometry, and what it touches
-BEFORE_THINGS = 3  # width, height, blind range
-BEFORE_SPOTS, SPOT, AFTER_SPOTS = 2, 9, 9  # words
+BEFORE_POSES = 3  # width, height, blind range
+POSE, BEFORE_SPOTS, SPOT = 9, 2, 10  # words
 
 
 def spots_in(texts: Sequence[str]) -> NDArray[np.float32]:
@@ -33,12 +33,12 @@ def _spots(text: str) -> List[List[float]]:
     if text and not version:
         raise ValueError("another version")
     words = iter(rest.split())
-    _take(words, BEFORE_THINGS)
+    _take(words, BEFORE_POSES)
+    _take(words, POSE * int(next(words, "0")))
     for _ in range(int(next(words, "0"))):
         _take(words, BEFORE_SPOTS)
         for _ in range(int(next(words))):
             found.append([float(word) for word in _take(words, SPOT)[2:5]])
-        _take(words, AFTER_SPOTS)
     return found
 
 
