@@ -90,3 +90,34 @@ def test_what_only_hides_the_near_floor_stays_though_the_mast_moves(height, wide
         stood = stood or decision.speed == 0.0
         assert not stood or decision.speed == 0.0, f"after {now:.2f} s: {decision.reason}"
     assert stood
+
+
+def test_what_the_mast_looked_over_hides_the_near_floor_again_once_it_is_down():
+    """It came in from the side, and is no thing that was ever seen near."""
+    random = np.random.default_rng(0)
+    control = core.SafetyControl(SETTINGS)
+    for now in np.arange(0.0, 6.0, 1 / RATE):
+        up = min(0.1, max(0.0, 0.1 * (now - 2.5)), max(0.0, 0.1 * (5.0 - now)))
+        camera = placing(CAMERA + [0.0, 0.0, up])
+        aside = 2.0 - min(2.0, 1.5 * max(0.0, now - 0.5))
+        crate = (0.163, 0.463, aside - 0.2, aside + 0.2, 0.0, 0.2)
+        decision = control.decide(picture(camera, (crate, *ROOM), random), now=now, camera=camera)
+        if up == 0.0 and now > 2.0:
+            assert decision.speed == 0.0, f"after {now:.2f} s: {decision.reason}"
+
+
+@pytest.mark.parametrize(("top", "speed", "down"), [(0.04, 0.1, 0.05), (0.03, 0.1, 0.05), (0.045, 0.2, 0.06)])
+def test_a_step_whose_foot_leaves_the_picture_while_the_mast_goes_down_stays(top, speed, down):
+    """The robot brakes before it, and drives on if it is let."""
+    random = np.random.default_rng(0)
+    control = core.SafetyControl(SETTINGS)
+    ahead, velocity, stood = 1.0, 0.0, False
+    for now in np.arange(0.0, 6.0, 1 / RATE):
+        camera = placing(CAMERA + [0.0, 0.0, 0.05 - np.clip(speed * (now - 1.7), 0.0, down)])
+        step = (ahead, ahead + 0.5, -0.6, 0.6, 0.0, top)
+        decision = control.decide(picture(camera, (step, *ROOM), random), now=now, camera=camera)
+        velocity += np.clip(decision.speed - velocity, -0.5 / RATE, 0.5 / RATE)
+        ahead -= velocity / RATE
+        stood = stood or decision.speed == 0.0
+        assert not stood or decision.speed < 0.2, f"after {now:.2f} s, {ahead:.2f} m before it: {decision.reason}"
+    assert stood and decision.speed == 0.0 and ahead > 0.5

@@ -42,16 +42,17 @@ std::size_t post_of(std::size_t columns) { return std::max<std::size_t>(2, colum
 void FloorStrip::move_to(float camera_height) {
   const float up = camera_height - camera_height_.value_or(camera_height);
   if (camera_height_ && std::abs(up) < as_high) return;
-  const bool is_any_hidden = !covered().empty();
-  if (!is_any_hidden) *this = FloorStrip{};
+  if (!camera_height_ || !covered().empty())
+    for (float& height : seen_from_) height = camera_height_ ? std::min(height, camera_height) : camera_height;
   camera_height_ = camera_height;
+  const auto down = static_cast<int>(std::lround(1000.0f * up));  // [mm] of the floor
   for (Code& lowest : lowest_)
-    if (lowest > 0)
-      lowest = static_cast<Code>(std::clamp<int>(lowest + static_cast<int>(std::lround(1000.0f * up)), 1, highest));
+    if (lowest > 0) lowest = static_cast<Code>(std::clamp(lowest + down, 1, highest));
 }
 
 void FloorStrip::survey(const NearGround& ground, const Patience& patience) {
   lowest_.resize(std::max(lowest_.size(), ground.rows()), 0);
+  seen_from_.resize(lowest_.size(), camera_height_.value_or(0.0f));
   for (auto* counts : {&shown_, &foot_, &blank_}) counts->assign(ground.columns(), 0);
   if (expected_.size() != ground.columns()) {
     expected_.assign(ground.columns(), 0);
@@ -59,6 +60,7 @@ void FloorStrip::survey(const NearGround& ground, const Patience& patience) {
     blank_lately_.assign(ground.columns(), 0);
     blank_shares_.clear();
     std::fill(lowest_.begin(), lowest_.end(), Code{0});
+    std::fill(seen_from_.begin(), seen_from_.end(), camera_height_.value_or(0.0f));
   }
   rows_.clear();
   middle_ = ground.middle_column();
@@ -101,8 +103,12 @@ NearGround::Code FloorStrip::learned(const NearGround& ground, std::size_t row) 
   for (std::size_t i = 1; i < ground.columns(); ++i)
     now = std::max(now, std::min(codes[i - 1], codes[i]));  // one alone may be noise
   Code& lowest = lowest_[row];
-  if (now > 0) lowest = std::max(now, static_cast<Code>(lowest - forgotten));  // a blank row speaks against nothing
-  return lowest;
+  const float height = camera_height_.value_or(0.0f);
+  if (now > 0) {  // a blank row speaks against nothing
+    seen_from_[row] = lowest > 0 ? std::min(seen_from_[row], height) : height;
+    lowest = std::max(now, static_cast<Code>(lowest - forgotten));
+  }
+  return height > seen_from_[row] - as_high ? lowest : Code{0};
 }
 
 void FloorStrip::count_row(const NearGround& ground, std::size_t row) {

@@ -28,8 +28,9 @@ class FloorStrip {
   /// For so many clouds a column that was mostly blank may count as that: strays fill it now and then.
   static constexpr std::uint8_t lately = 8;
 
-  /// The camera is so high [m] in the next picture, in the corridor's axes. On a mast that goes up or down, other rows
-  /// show the floor: all that was learned is learned anew, unless something hides the floor, which does so still.
+  /// The camera is so high [m] in the next picture, in the corridor's axes. On a mast that goes down, a row looks at
+  /// floor that is nearer, maybe too near to return: what was learned of it counts no more until it shows floor from
+  /// there, or until the mast is up again; but what hides the floor does so still.
   void move_to(float camera_height);
   /// It is so in other axes.
   void change_axes() { camera_height_.reset(); }
@@ -64,6 +65,7 @@ class FloorStrip {
   bool shows_floor(std::size_t i) const;
 
   std::optional<float> camera_height_;  ///< [m] as this was learned; none: no picture has come
+  std::vector<float> seen_from_;        ///< [m] of each row, the least height of the camera from which it showed floor
   std::vector<Code> lowest_;            ///< ground of each row; 0 = none
   std::vector<std::size_t> rows_;
   double middle_ = 0.0;               ///< the column that looks straight ahead

@@ -93,7 +93,8 @@ void LowObstacles::move_to(const Frame& frame) {
   }
 }
 
-void LowObstacles::move_to(float camera_height) {
+void LowObstacles::move_to(float camera_height, float off) {
+  off_ = static_cast<Millimetres>(std::lround(1000.0f * off));
   if (!camera_height_) camera_height_ = camera_height;
   const auto up = static_cast<int>(std::lround(1000.0f * (camera_height - *camera_height_)));  // [mm]
   if (up == 0) return;
@@ -197,7 +198,7 @@ void LowObstacles::look_at_row(const Millimetres* codes) {
 bool LowObstacles::hides_floor(std::size_t column) const {
   if (!is_step(column)) return false;
   if (lowest_[column] == none) return true;  // nothing says that the floor is there again
-  return lowest_[column] + floor_tolerance < floor_[column];
+  return lowest_[column] + floor_tolerance < floor_[column] + off_;
 }
 
 /// By what its column shows lowest.

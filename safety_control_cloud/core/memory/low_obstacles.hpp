@@ -38,9 +38,9 @@ class LowObstacles {
 
   /// The corridor is another one. What is kept stays, but where the next cloud shows that it lies beside it.
   void change_corridor() { is_corridor_new_ = true; }
-  /// The camera is so high [m] in the next picture, in the corridor's axes: on a mast that goes up, the floor before a
-  /// step goes down.
-  void move_to(float camera_height);
+  /// The camera is so high [m] in the next picture, in the corridor's axes, or by `off` higher: on a mast that goes up,
+  /// the floor before a step goes down.
+  void move_to(float camera_height, float off);
   /// It is so in other axes.
   void change_axes() { camera_height_.reset(); }
 
@@ -87,6 +87,7 @@ class LowObstacles {
   std::vector<std::int16_t> above_;     ///< pixels that show ground a step above that, or above `floor_`
   bool is_corridor_new_ = false;        ///< and no cloud has come since
   std::optional<float> camera_height_;  ///< [m] as `floor_` is told; none: no picture has come
+  Millimetres off_ = 0;                 ///< by which the floor may lie lower than `floor_` tells
 };
 
 }  // namespace safety_control_cloud

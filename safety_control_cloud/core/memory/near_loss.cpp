@@ -203,8 +203,8 @@ void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, 
 
 void NearLoss::write_down(bool lost, double now) {
   const auto kept = [this] {
-    return Kept{frame_.width, frame_.height,    things_.blind_range(), things_.things(),
-                low_.floor(), things_.camera(), low_.any_beside()};
+    return Kept{frame_.width, frame_.height, things_.blind_range(), things_.things(),
+                low_.floor(), camera_,       low_.any_beside()};
   };
   written_.bring_up_to_date(things_.things(), near_distance(), lost, now, kept);
 }
@@ -217,7 +217,8 @@ bool NearLoss::restore(const std::string& text) {
   frame_ = {kept->width, kept->height, {}};
   things_.add(std::move(kept->things), kept->blind_range, kept->camera);
   low_.move_to(frame_);
-  if (is_any_low(*kept)) low_.restore(std::move(kept->low), height_.note(-kept->camera.at[1]));
+  camera_ = kept->camera;
+  if (is_any_low(*kept)) low_.restore(std::move(kept->low), -kept->camera.at[1]);
   return true;
 }
 
@@ -246,8 +247,9 @@ void NearLoss::settle_in_axes(const Outlook& outlook) {
 
 void NearLoss::move_with_camera(const Outlook& outlook) {
   settle_in_axes(outlook);
-  const float height = height_.note(-outlook.camera().y);
-  low_.move_to(height);
+  camera_ = camera_pose_of(outlook);
+  const float height = -camera_.at[1];
+  low_.move_to(height, height_.note(height));
   floor_.move_to(height);
 }
 

@@ -108,6 +108,7 @@ class NearLoss {
   NearLossLimits limits_;
   Frame frame_;  ///< in which the spots lie
   Optics optics_;
+  CameraPose camera_;  ///< in the latest picture
   CameraHeight height_;
   NearGround ground_;
   FloorStrip floor_;

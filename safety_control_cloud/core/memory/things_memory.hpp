@@ -57,8 +57,6 @@ class ThingsMemory {
   std::uint32_t picture() const { return picture_; }
   /// At which things vanished [m]; 0 if none did.
   float blind_range() const { return blind_range_; }
-  /// The camera's in the latest picture.
-  CameraPose camera() const { return camera_.value_or(CameraPose{}); }
   /// These are remembered too, of which nothing is seen, since that camera was there.
   void add(std::vector<Remembered> things, float blind_range, const CameraPose& camera);
 

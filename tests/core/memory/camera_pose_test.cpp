@@ -58,13 +58,13 @@ TEST(CameraPose, TurnsByAnglesAndByWaysThatAreMoreThanNoise) {
   EXPECT_FALSE(show_the_same(aside, camera_pose_of(looking(0.73, 0.3, 0.1f, -0.4f, 0.2f))));
 }
 
-TEST(CameraHeight, GoesUpAtOnceAndDownOnceItStaysThere) {
+TEST(CameraHeight, WasHigherByWhatItWasInTheLatestTenPictures) {
   CameraHeight height;
-  EXPECT_EQ(height.note(0.3f), 0.3f);
-  EXPECT_EQ(height.note(0.29f), 0.3f);
-  EXPECT_EQ(height.note(0.5f), 0.5f);
-  for (int i = 0; i < 9; ++i) EXPECT_EQ(height.note(0.2f), 0.5f) << i;
-  EXPECT_EQ(height.note(0.2f), 0.2f);
+  EXPECT_EQ(height.note(0.3f), 0.0f);
+  EXPECT_NEAR(height.note(0.29f), 0.01f, 1e-6f);
+  EXPECT_EQ(height.note(0.5f), 0.0f);
+  for (int i = 0; i < 9; ++i) EXPECT_NEAR(height.note(0.2f), 0.3f, 1e-6f) << i;
+  EXPECT_EQ(height.note(0.2f), 0.0f);
 }
 
 }  // namespace
