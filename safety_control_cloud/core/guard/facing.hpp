@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../look/placement.hpp"
 #include "../path/outline.hpp"
 
 namespace safety_control_cloud {
 
-/// A camera's place in a frame that is turned by this angle [rad] against its own.
-Placement in_turned_frame(const Placement& placement, double angle);
-
-/// How far a footprint reaches in such a frame [m].
+/// How far a footprint reaches in a frame that is turned by some angle [rad] against its own [m].
 struct Silhouette {
   double front, left, right;
 };

@@ -17,13 +17,7 @@ std::variant<Outlook, NoTransform> outlook_of(const LookSettings& look, const Pl
   return placement ? Outlook(corridor_of(look), *placement) : Outlook(corridor_of(look));
 }
 
-Point Outlook::seen_from_camera(const Point& placed) const {
-  if (!placement) return placed;
-  const auto &x = placement->rows[0], &y = placement->rows[1], &z = placement->rows[2];  // clang captures no bindings
-  const float right = placed.x - x[3], down = placed.y - y[3], forward = placed.z - z[3];
-  const auto along = [&](std::size_t axis) { return x[axis] * right + y[axis] * down + z[axis] * forward; };
-  return Point(along(0), along(1), along(2));
-}
+Point Outlook::seen_from_camera(const Point& placed) const { return placement ? placement->seen(placed) : placed; }
 
 View view_in(const Reading& reading, const LookSettings& look) {
   View view = view_in(reading);

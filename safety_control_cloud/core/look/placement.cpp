@@ -11,6 +11,17 @@ std::array<float, 3> in_turned_axes(const std::array<float, 3>& axes, double ang
   return {c * right + s * forward, down, c * forward - s * right};
 }
 
+Placement in_turned_frame(const Placement& placement, double angle) {
+  if (angle == 0.0) return placement;
+  Placement turned = placement;
+  auto& [x, y, z] = turned.rows;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const auto [right, down, forward] = in_turned_axes({x[i], y[i], z[i]}, angle);
+    x[i] = right, y[i] = down, z[i] = forward;
+  }
+  return turned;
+}
+
 Placing placing_of(const Eigen::Matrix<double, 3, 4>& cloud_in_target) {
   if (!cloud_in_target.allFinite()) return NoTransform{"the transform is not finite"};
   Eigen::Matrix3d to_corridor;  // right = -left, down = -up, forward = forward

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <string>
 #include <variant>
 
@@ -22,11 +23,22 @@ struct Placement {
     };
     return Point(along(rows[0]), along(rows[1]), along(rows[2]));
   }
+
+  /// The other way round.
+  Point seen(const Point& placed) const {
+    const auto &x = rows[0], &y = rows[1], &z = rows[2];  // clang captures no bindings
+    const float right = placed.x - x[3], down = placed.y - y[3], forward = placed.z - z[3];
+    const auto along = [&](std::size_t axis) { return x[axis] * right + y[axis] * down + z[axis] * forward; };
+    return Point(along(0), along(1), along(2));
+  }
 };
 
 /// A direction or a place of the corridor's axes, in those of one that leads elsewhere: `angle` [rad] to the left of
 /// it.
 std::array<float, 3> in_turned_axes(const std::array<float, 3>& axes, double angle);
+
+/// The same of a camera's place.
+Placement in_turned_frame(const Placement& placement, double angle);
 
 /// The corridor lies in the camera's own optical frame.
 struct OpticalFrame {};

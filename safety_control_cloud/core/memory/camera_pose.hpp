@@ -4,61 +4,46 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "../look/outlook.hpp"
 
 namespace safety_control_cloud {
 
 /// Where a camera is and which way it looks, in the corridor's axes.
-struct CameraPose {
-  using Vector = std::array<float, 3>;
+using CameraPose = Placement;
 
-  Vector ahead = {0.0f, 0.0f, 1.0f}, right = {1.0f, 0.0f, 0.0f}, at = {0.0f, 0.0f, 0.0f};
+inline CameraPose camera_pose_of(const Outlook& outlook) { return outlook.placement.value_or(CameraPose{}); }
 
-  Vector down() const {
-    const auto along = [this](std::size_t i, std::size_t j) { return ahead[i] * right[j] - ahead[j] * right[i]; };
-    return {along(1, 2), along(2, 0), along(0, 1)};
-  }
-
-  /// A direction in its frame, in the corridor's axes; and the other way round.
-  Vector out_of(const Vector& seen) const {
-    const Vector below = down();
-    Vector out{};
-    for (std::size_t i = 0; i < 3; ++i) out[i] = right[i] * seen[0] + below[i] * seen[1] + ahead[i] * seen[2];
-    return out;
-  }
-  Vector into(const Vector& direction) const {
-    const auto along = [&](const Vector& a) { return a[0] * direction[0] + a[1] * direction[1] + a[2] * direction[2]; };
-    return {along(right), along(down()), along(ahead)};
-  }
-
-  /// What it sees there, in the corridor's axes [m].
-  Point placed(const Point& seen) const {
-    const auto [x, y, z] = out_of({seen.x, seen.y, seen.z});
-    return {at[0] + x, at[1] + y, at[2] + z};
-  }
-
-  bool operator==(const CameraPose& other) const {
-    return ahead == other.ahead && right == other.right && at == other.at;
-  }
-};
-
-inline CameraPose camera_pose_of(const Outlook& outlook) {
-  if (!outlook.placement) return {};
-  const auto& [x, y, z] = outlook.placement->rows;
-  return {{x[2], y[2], z[2]}, {x[0], y[0], z[0]}, {x[3], y[3], z[3]}};
+/// In the corridor's axes: a direction of the camera's own, and where it is [m].
+inline std::array<float, 3> right_of(const CameraPose& camera) {
+  const auto& [x, y, z] = camera.rows;
+  return {x[0], y[0], z[0]};
 }
-
-/// The same in axes that are turned by so much to the left [rad].
-inline CameraPose in_turned_axes(const CameraPose& pose, double angle) {
-  return {in_turned_axes(pose.ahead, angle), in_turned_axes(pose.right, angle), in_turned_axes(pose.at, angle)};
+inline std::array<float, 3> ahead_of(const CameraPose& camera) {
+  const auto& [x, y, z] = camera.rows;
+  return {x[2], y[2], z[2]};
+}
+inline std::array<float, 3> place_of(const CameraPose& camera) {
+  const auto& [x, y, z] = camera.rows;
+  return {x[3], y[3], z[3]};
 }
 
 /// The same in axes in which a camera that was `before` in these ones, and has not moved, is `now`.
 inline CameraPose in_axes_of(const CameraPose& now, const CameraPose& before, const CameraPose& pose) {
-  const auto direction = [&](const CameraPose::Vector& old) { return now.out_of(before.into(old)); };
-  const auto [x, y, z] = direction({pose.at[0] - before.at[0], pose.at[1] - before.at[1], pose.at[2] - before.at[2]});
-  return {direction(pose.ahead), direction(pose.right), {now.at[0] + x, now.at[1] + y, now.at[2] + z}};
+  const auto moved = [&](const Point& place) {
+    const Point seen = before.seen(place);
+    return now(seen.x, seen.y, seen.z);
+  };
+  const Point at = moved(pose(0.0f, 0.0f, 0.0f));
+  CameraPose there;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto along = [=](std::size_t axis) { return axis == i ? 1.0f : 0.0f; };
+    const Point end = moved(pose(along(0), along(1), along(2)));
+    there.rows[0][i] = end.x - at.x, there.rows[1][i] = end.y - at.y, there.rows[2][i] = end.z - at.z;
+  }
+  there.rows[0][3] = at.x, there.rows[1][3] = at.y, there.rows[2][3] = at.z;
+  return there;
 }
 
 /// Cosine of the angle between them, the greater of that ahead and that to the right.
@@ -66,12 +51,14 @@ inline float cosine_between(const CameraPose& a, const CameraPose& b) {
   const auto cosine = [](const std::array<float, 3>& one, const std::array<float, 3>& other) {
     return one[0] * other[0] + one[1] * other[1] + one[2] * other[2];
   };
-  return std::min(cosine(a.ahead, b.ahead), cosine(a.right, b.right));
+  return std::min(cosine(ahead_of(a), ahead_of(b)), cosine(right_of(a), right_of(b)));
 }
 
 /// [m]
 inline float distance_between(const CameraPose& a, const CameraPose& b) {
-  return std::hypot(a.at[0] - b.at[0], a.at[1] - b.at[1], a.at[2] - b.at[2]);
+  const auto [x, y, z] = place_of(a);
+  const auto [there_x, there_y, there_z] = place_of(b);
+  return std::hypot(x - there_x, y - there_y, z - there_z);
 }
 
 constexpr float same_place = 0.01f;  ///< [m]

@@ -40,10 +40,14 @@ std::size_t post_of(std::size_t columns) { return std::max<std::size_t>(2, colum
 }  // namespace
 
 void FloorStrip::move_to(float camera_height) {
-  const float up = camera_height - camera_height_.value_or(camera_height);
-  if (camera_height_ && std::abs(up) < as_high) return;
-  if (!camera_height_ || !covered().empty())
-    for (float& height : seen_from_) height = camera_height_ ? std::min(height, camera_height) : camera_height;
+  if (!camera_height_) {
+    camera_height_ = camera_height;
+    std::fill(seen_from_.begin(), seen_from_.end(), camera_height);
+  }
+  const float up = camera_height - *camera_height_;
+  if (std::abs(up) < as_high) return;
+  if (!covered().empty())
+    for (float& height : seen_from_) height = std::min(height, camera_height);
   camera_height_ = camera_height;
   const auto down = static_cast<int>(std::lround(1000.0f * up));  // [mm] of the floor
   for (Code& lowest : lowest_)

@@ -93,7 +93,7 @@ class Forgiving {
   Elsewhere looked_for(const Spot& spot) const {
     auto turned = turned_spot(spot, gaze_, picture_);
     if (turned && turned->is_whole) return {true, std::move(turned)};
-    const bool looks_ahead = std::abs(gaze_.camera.ahead[0]) < straight && gaze_.camera.ahead[2] > 0.0f;
+    const bool looks_ahead = std::abs(ahead_of(gaze_.camera)[0]) < straight && ahead_of(gaze_.camera)[2] > 0.0f;
     const auto beyond = above_or_below(spot, gaze_, picture_);
     return {true, std::nullopt, spot.turning <= still && (!looks_ahead || !beyond || *beyond > as_high)};
   }

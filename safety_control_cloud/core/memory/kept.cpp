@@ -66,7 +66,7 @@ void set_flags(Spot& spot, std::size_t flags) {
 }
 
 void write(const CameraPose& camera, std::ostream& to) {
-  for (const auto& part : {camera.ahead, camera.right, camera.at})
+  for (const auto& part : {ahead_of(camera), right_of(camera), place_of(camera)})
     for (const float along : part) to << ' ' << along;
 }
 
@@ -74,7 +74,7 @@ void write(const CameraPose& camera, std::ostream& to) {
 class Cameras {
  public:
   std::size_t number_of(const CameraPose& camera) {
-    const auto is_it = [&](const CameraPose& one) { return one == camera || show_the_same(one, camera); };
+    const auto is_it = [&](const CameraPose& one) { return one.rows == camera.rows || show_the_same(one, camera); };
     const auto known = std::find_if(all_.begin(), all_.end(), is_it);
     const auto number = static_cast<std::size_t>(known - all_.begin());
     if (known == all_.end()) all_.push_back(camera);
@@ -98,21 +98,27 @@ void write(const Remembered& thing, Cameras& cameras, std::ostream& to) {
 
 CameraPose camera_in(Reader& reader) {
   CameraPose camera;
-  for (auto* direction : {&camera.ahead, &camera.right})
-    for (float& along : *direction) along = static_cast<float>(reader.number(-1.001, 1.001));
-  for (float& along : camera.at) along = static_cast<float>(reader.number(-farthest, farthest));
+  auto& [x, y, z] = camera.rows;
+  const auto read = [&](std::size_t column, double most) {
+    for (auto* row : {&x, &y, &z}) (*row)[column] = static_cast<float>(reader.number(-most, most));
+  };
+  read(2, 1.001);
+  read(0, 1.001);
+  read(3, farthest);
+  const auto down = [&](const auto& one, const auto& other) { return one[2] * other[0] - other[2] * one[0]; };
+  x[1] = down(y, z), y[1] = down(z, x), z[1] = down(x, y);
   return camera;
 }
 
 /// Or no spot of it would lie where it does, and some nowhere.
 bool is_pose(const CameraPose& camera) {
   constexpr float exact = 0.01f;
-  const auto product = [](const CameraPose::Vector& a, const CameraPose::Vector& b) {
+  const auto product = [](const std::array<float, 3>& a, const std::array<float, 3>& b) {
     return std::inner_product(a.begin(), a.end(), b.begin(), 0.0f);
   };
-  return std::abs(product(camera.ahead, camera.ahead) - 1.0f) < exact &&
-         std::abs(product(camera.right, camera.right) - 1.0f) < exact &&
-         std::abs(product(camera.ahead, camera.right)) < exact;
+  const auto ahead = ahead_of(camera), right = right_of(camera);
+  return std::abs(product(ahead, ahead) - 1.0f) < exact && std::abs(product(right, right) - 1.0f) < exact &&
+         std::abs(product(ahead, right)) < exact;
 }
 
 Spot spot_in(Reader& reader, const std::vector<CameraPose>& cameras) {

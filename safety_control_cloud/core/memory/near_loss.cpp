@@ -123,7 +123,7 @@ bool NearLoss::note(const NearSearch& search) {
   auto things = near_things(search);
   if (things.empty()) return false;
   place_on_ground(things, ground_, search.picture, search.outlook);
-  things_.update_by_little(std::move(things), search.picture, near_distance(), camera_pose_of(search.outlook));
+  things_.update_by_little(std::move(things), search.picture, near_distance(), camera_);
   return true;
 }
 
@@ -150,7 +150,7 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
   remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels}, 1, patience);
   const auto low = low_.judge(ground_, picture, outlook, patience);
   const auto thing = nearest_loss(things_.things(), outlook, kept());
-  note_backdrop(picture, outlook, thing && thing->whole);
+  note_backdrop(picture, thing && thing->whole);
   auto loss = nearer(low, thing);
   auto covered = floor_.covered();
   if (!covered.empty()) {
@@ -165,12 +165,12 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
 }
 
 /// Where a guard's robot goes on, what never returns moves in its picture, and would be taken for what it lost.
-void NearLoss::note_backdrop(const Pixels& picture, const Outlook& outlook, bool stands) {
+void NearLoss::note_backdrop(const Pixels& picture, bool stands) {
   if (!limits_.stands) return;
   std::vector<Backdrop::Part> lost;
   for (const Remembered& thing : things_.things())
     if (stands && !thing.lost.empty()) lost.push_back(part_around(thing.lost, picture.width()));
-  backdrop_.note(picture, camera_pose_of(outlook), lost);
+  backdrop_.note(picture, camera_, lost);
 }
 
 /// What hides the floor is noticed by itself only in a picture: here the floor has to be seen for longer, since strays
@@ -218,7 +218,7 @@ bool NearLoss::restore(const std::string& text) {
   things_.add(std::move(kept->things), kept->blind_range, kept->camera);
   low_.move_to(frame_);
   camera_ = kept->camera;
-  if (is_any_low(*kept)) low_.restore(std::move(kept->low), -kept->camera.at[1]);
+  if (is_any_low(*kept)) low_.restore(std::move(kept->low), -place_of(camera_)[1]);
   return true;
 }
 
@@ -235,20 +235,19 @@ bool NearLoss::move_to(const Frame& frame) {
   return true;
 }
 
-void NearLoss::settle_in_axes(const Outlook& outlook) {
-  if (!std::exchange(are_axes_new_, false)) return;
+void NearLoss::settle_in_axes() {
   height_ = CameraHeight{};
   low_.change_axes();
   floor_.change_axes();
-  things_.change_axes(camera_pose_of(outlook));
+  things_.change_axes(camera_);
   things_.stay();
   backdrop_ = Backdrop{};
 }
 
 void NearLoss::move_with_camera(const Outlook& outlook) {
-  settle_in_axes(outlook);
   camera_ = camera_pose_of(outlook);
-  const float height = -camera_.at[1];
+  if (std::exchange(are_axes_new_, false)) settle_in_axes();
+  const float height = -place_of(camera_)[1];
   low_.move_to(height, height_.note(height));
   floor_.move_to(height);
 }

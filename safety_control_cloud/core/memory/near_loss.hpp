@@ -80,7 +80,7 @@ class NearLoss {
                                       const Patience& patience);
   std::optional<Loss> judge_points(const View& view, const Sight& sight, const Outlook& outlook,
                                    const Patience& patience);
-  void settle_in_axes(const Outlook& outlook);
+  void settle_in_axes();
   void move_with_camera(const Outlook& outlook);
   bool note_picture(const View& view, const Sight& sight, const Outlook& outlook);
   bool note_points(const View& view, const Outlook& outlook);
@@ -93,7 +93,7 @@ class NearLoss {
 
   InRaster look_at_raster(const View& raster, const Outlook& outlook, const RayHits* hits, const UsualCells* usual);
   bool note(const NearSearch& search);
-  void note_backdrop(const Pixels& picture, const Outlook& outlook, bool stands);
+  void note_backdrop(const Pixels& picture, bool stands);
   Pixels framed(const View& view, const Outlook& outlook);
   bool shows_near(const Sight& sight, const Outlook& outlook) const;
   void remember(const NearSearch& search, std::uint8_t clouds_of_floor, const Patience& patience);

@@ -41,7 +41,7 @@ struct Spot {
 
   bool is_shown() const { return row_shown && column_shown; }
   /// In the corridor's axes [m].
-  Point place() const { return camera.placed(point); }
+  Point place() const { return camera(point.x, point.y, point.z); }
 };
 
 /// [m2] that they stand for.

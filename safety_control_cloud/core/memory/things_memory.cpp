@@ -190,8 +190,8 @@ void ThingsMemory::stay_in_hole(Remembered& thing, std::vector<Spot> spots) {
 }
 
 void ThingsMemory::turn_corridor(double angle) {
-  if (camera_) camera_ = in_turned_axes(*camera_, angle);
-  for_each_spot([&](Spot& spot) { spot.camera = in_turned_axes(spot.camera, angle); });
+  if (camera_) camera_ = in_turned_frame(*camera_, angle);
+  for_each_spot([&](Spot& spot) { spot.camera = in_turned_frame(spot.camera, angle); });
 }
 
 void ThingsMemory::change_axes(const CameraPose& now) {

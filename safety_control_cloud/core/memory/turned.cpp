@@ -108,11 +108,10 @@ std::optional<TurnedSpot> turned_spot(const Spot& spot, const Gaze& gaze, const 
   turned.spot.row = static_cast<std::uint16_t>(std::lround(at->row));
   turned.spot.column = static_cast<std::uint16_t>(std::lround(at->column));
   turned.spot.row_shown = turned.spot.column_shown = true;
-  const auto is_as_before = [&](std::array<float, 3> CameraPose::*direction, float by) {
-    return std::abs((spot.camera.*direction)[1] - (gaze.camera.*direction)[1]) < by;
+  const auto is_as_before = [&](const auto& direction, float by) {
+    return std::abs(direction(spot.camera)[1] - direction(gaze.camera)[1]) < by;
   };
-  turned.spot.stands =
-      spot.stands && is_as_before(&CameraPose::right, level) && is_as_before(&CameraPose::ahead, as_low);
+  turned.spot.stands = spot.stands && is_as_before(right_of, level) && is_as_before(ahead_of, as_low);
   to.add_around(*at, off, turned.places);
   Point nearer = place;
   nearer.z -= static_cast<float>(growth / (1.0 + growth)) * std::max(0.0f, nearer.z - gaze.outlook.camera().z);

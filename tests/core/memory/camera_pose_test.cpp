@@ -17,39 +17,39 @@ Outlook looking(double turned, double tilted, float x, float y, float z) {
   return {Corridor(), place};
 }
 
-void expect_same(const CameraPose::Vector& one, const CameraPose::Vector& other) {
+void expect_same(const std::array<float, 3>& one, const std::array<float, 3>& other) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(one[i], other[i], 1e-5);
+}
+
+void expect_same(const Point& one, const Point& other) {
+  expect_same(std::array{one.x, one.y, one.z}, std::array{other.x, other.y, other.z});
 }
 
 const CameraPose aside = camera_pose_of(looking(0.7, 0.3, 0.1f, -0.4f, 0.2f));
 
 TEST(CameraPose, PlacesWhatItSeesAsTheOutlookDoes) {
-  const Point there = looking(0.7, 0.3, 0.1f, -0.4f, 0.2f).placed(0.1f, -0.2f, 0.5f);
-  const Point placed = aside.placed({0.1f, -0.2f, 0.5f});
-  expect_same({placed.x, placed.y, placed.z}, {there.x, there.y, there.z});
-  expect_same(aside.into(aside.out_of({0.3f, 0.5f, 0.7f})), {0.3f, 0.5f, 0.7f});
+  const Outlook outlook = looking(0.7, 0.3, 0.1f, -0.4f, 0.2f);
+  expect_same(aside(0.1f, -0.2f, 0.5f), outlook.placed(0.1f, -0.2f, 0.5f));
+  expect_same(aside.seen(aside(0.3f, 0.5f, 0.7f)), Point(0.3f, 0.5f, 0.7f));
 }
 
 TEST(CameraPose, InTheAxesOfAnotherFrameIsThereAsSeenFromTheCameraThatHasNotMoved) {
   const CameraPose before = camera_pose_of(looking(-0.4, 0.1, 0.0f, -0.3f, 0.0f)), now;
   const CameraPose moved = in_axes_of(now, before, aside);
-  const Point thing(0.1f, -0.2f, 0.5f);  // as the one that looks aside sees it
-  const Point in_old_axes = aside.placed(thing), in_new_axes = moved.placed(thing);
-  const auto from_before =
-      before.into({in_old_axes.x - before.at[0], in_old_axes.y - before.at[1], in_old_axes.z - before.at[2]});
-  expect_same(from_before, {in_new_axes.x, in_new_axes.y, in_new_axes.z});
+  // As the one that looks aside sees it.
+  expect_same(before.seen(aside(0.1f, -0.2f, 0.5f)), moved(0.1f, -0.2f, 0.5f));
   const CameraPose itself = in_axes_of(aside, before, before);
-  expect_same(itself.ahead, aside.ahead);
-  expect_same(itself.right, aside.right);
-  expect_same(itself.at, aside.at);
+  expect_same(ahead_of(itself), ahead_of(aside));
+  expect_same(right_of(itself), right_of(aside));
+  expect_same(place_of(itself), place_of(aside));
 }
 
 TEST(CameraPose, TurnsByAnglesAndByWaysThatAreMoreThanNoise) {
   CameraPose away = aside;
-  away.at[1] += 0.009f;
+  away.rows[1][3] += 0.009f;
   EXPECT_TRUE(show_the_same(aside, away));
   EXPECT_LT(turning_between(aside, away), still);
-  away.at[1] += 0.002f;
+  away.rows[1][3] += 0.002f;
   EXPECT_FALSE(show_the_same(aside, away));
   EXPECT_GT(turning_between(aside, away), still);
   const CameraPose turned = camera_pose_of(looking(0.71, 0.3, 0.1f, -0.4f, 0.2f));

@@ -91,7 +91,7 @@ TEST(Turned, WhatStoodInATiltedPictureIsNotKnownToStand) {
   Spot spot = seen_ahead();
   spot.stands = true;
   EXPECT_TRUE(turned_spot(spot, {looking(0.2), rays}, pixels)->spot.stands);
-  spot.camera.ahead = {0.0f, -0.1f, 0.995f};
+  spot.camera.rows[1][2] = -0.1f, spot.camera.rows[2][2] = 0.995f;
   EXPECT_FALSE(turned_spot(spot, {looking(0.2), rays}, pixels)->spot.stands);
 }
 
