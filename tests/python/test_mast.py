@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from boxes import picture, placing
+from boxes import ROOM, picture, placing
 
 from safety_control_cloud import core
 
 CAMERA = np.array([-0.087, 0.0, 0.2972])  # [m] in base_footprint
 RATE, AT = 20.0, 2.0  # [Hz], and [s] at which the mast begins to move
-ROOM = ((3.0, 3.1, -3.0, 3.0, 0.0, 2.5), (-3.0, 3.0, 3.0, 3.1, 0.0, 2.5), (-3.0, 3.0, -3.1, -3.0, 0.0, 2.5))
 SETTINGS = core.Settings(mode="drive", target_frame="base_footprint", bottom=0.05, top=0.8, left=0.3, right=0.3)
 THINGS = {  # [m] how near it comes, how deep and wide it is, and from which height to which
     "post": (0.25, 0.1, 0.2, 0.0, 0.4),

@@ -4,20 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from boxes import picture
+from boxes import ROOM, picture, placing
 
 from safety_control_cloud import core
 
-HEIGHT, RATE = 0.2972, 20.0  # [m] of the camera, [Hz]
-ROOM = ((3.0, 3.1, -3.0, 3.0, 0.0, 2.5), (-3.0, 3.0, 3.0, 3.1, 0.0, 2.5), (-3.0, 3.0, -3.1, -3.0, 0.0, 2.5))
+HEIGHT, RATE = 0.2972, 20.0  # [m] of a TurtleBot's camera, [Hz]
 ALONE = core.Settings(mode="drive", x_min=-0.3, x_max=0.3, y_min=-0.5, y_max=HEIGHT - 0.05)
 RAIL = (0.3, 0.36)  # [m] from, to
-
-
-def pitched(degrees: float) -> np.ndarray:
-    """(3, 4) of a TurtleBot's camera that looks so far up."""
-    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
-    return np.array([[0, s, c, -0.087], [-1, 0, 0, 0], [0, -c, s, HEIGHT]])
 
 
 def lost_alone(camera: np.ndarray, random: np.random.Generator) -> list[str]:
@@ -36,7 +29,7 @@ def rail_at(ahead: float):
 @pytest.mark.parametrize("degrees", [-5, 0, 5, 8, 10, 12])
 def test_a_guard_stands_for_what_was_lost_in_the_cameras_own_frame_until_that_has_gone(degrees):
     random = np.random.default_rng(0)
-    camera = pitched(degrees)
+    camera = placing((-0.087, 0.0, HEIGHT), up=np.radians(degrees))
     guard = core.GuardControl(core.Settings(mode="guard"))
     assert guard.recall(lost_alone(camera, random))
     for now in np.arange(10.0, 16.0, 1 / RATE):

@@ -12,10 +12,17 @@ RANGE = (0.4, 5.0)  # [m]
 Box = Tuple[float, float, float, float, float, float]  # x, x, y, y, z, z [m], from the lesser each
 
 
-def placing(place: Sequence[float], heading: float = 0.0) -> np.ndarray:
-    """(3, 4) of an optical frame that looks level, in the frame in which it is at this place [m]."""
+# A room of 6 x 6 m without a wall behind, around the frame's origin.
+ROOM: Tuple[Box, ...] = (
+    (3.0, 3.1, -3.0, 3.0, 0.0, 2.5), (-3.0, 3.0, 3.0, 3.1, 0.0, 2.5), (-3.0, 3.0, -3.1, -3.0, 0.0, 2.5))
+
+
+def placing(place: Sequence[float], heading: float = 0.0, up: float = 0.0) -> np.ndarray:
+    """(3, 4) of an optical frame that looks so far to the left and up [rad], in the frame in which it is there [m]."""
     c, s = np.cos(heading), np.sin(heading)
-    return np.column_stack([np.array([[s, 0, c], [-c, 0, s], [0, -1, 0]]), place])
+    level = np.array([[s, 0, c], [-c, 0, s], [0, -1, 0]])
+    c, s = np.cos(up), np.sin(up)
+    return np.column_stack([level @ [[1, 0, 0], [0, c, -s], [0, s, c]], place])
 
 
 def picture(camera: np.ndarray, boxes: Sequence[Box], random: np.random.Generator) -> np.ndarray:
