@@ -98,14 +98,14 @@ void write(const Remembered& thing, Cameras& cameras, std::ostream& to) {
 
 CameraPose camera_in(Reader& reader) {
   CameraPose camera;
-  auto& [x, y, z] = camera.rows;
   const auto read = [&](std::size_t column, double most) {
-    for (auto* row : {&x, &y, &z}) (*row)[column] = static_cast<float>(reader.number(-most, most));
+    for (auto& row : camera.rows) row[column] = static_cast<float>(reader.number(-most, most));
   };
   read(2, 1.001);
   read(0, 1.001);
   read(3, farthest);
-  const auto down = [&](const auto& one, const auto& other) { return one[2] * other[0] - other[2] * one[0]; };
+  auto& [x, y, z] = camera.rows;
+  const auto down = [](const auto& one, const auto& other) { return one[2] * other[0] - other[2] * one[0]; };
   x[1] = down(y, z), y[1] = down(z, x), z[1] = down(x, y);
   return camera;
 }
