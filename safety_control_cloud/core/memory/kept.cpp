@@ -20,8 +20,8 @@ constexpr std::size_t most_columns = NearGround::most_columns * 2, most_pixels =
 constexpr double farthest = 100.0;  // [m]
 
 /// What of a spot is kept besides its place: how it goes depends on them.
-constexpr std::array<bool Spot::*, 4> flags_kept{&Spot::stands, &Spot::foot_unseen, &Spot::hung_before,
-                                                 &Spot::went_alone};
+constexpr std::array<bool Spot::*, 5> flags_kept{&Spot::stands, &Spot::foot_unseen, &Spot::hung_before,
+                                                 &Spot::went_alone, &Spot::only_hides};
 
 /// So many at most, evenly; they stand for all.
 std::vector<Spot> some_of(const std::vector<Spot>& all, std::size_t most) {

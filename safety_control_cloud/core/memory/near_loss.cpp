@@ -28,6 +28,14 @@ constexpr double cut_off = 0.05;
 /// So much farther than what counts, things are watched.
 constexpr double watched = 1.6;
 
+/// The camera may look elsewhere when the process comes up again.
+Remembered unseen(const std::vector<Spot>& spots) {
+  Remembered thing;
+  thing.size = size_of(spots);
+  thing.lost = spots;
+  return thing;
+}
+
 constexpr const char* what_frees =
     "the camera sees what is behind it, or the near floor on which it stood, or after ~reset, when somebody has looked";
 
@@ -153,7 +161,9 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
   note_backdrop(picture, thing && thing->whole);
   auto loss = nearer(low, thing);
   auto covered = floor_.covered();
-  if (!covered.empty()) {
+  hidden_.note(covered, hidden_by(things_.things(), picture, camera_), floor_.rows(), picture, {outlook, frame_.rays},
+               static_cast<float>(blind_range()));
+  if (!covered.empty() || hidden_.may_be_there()) {
     loss = Loss{Cause::NearLoss, std::nullopt, true,
                 "the near floor is hidden by something nearer than the camera can see"};
   }
@@ -203,8 +213,10 @@ void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, 
 
 void NearLoss::write_down(bool lost, double now) {
   const auto kept = [this] {
-    return Kept{frame_.width, frame_.height, things_.blind_range(), things_.things(),
-                low_.floor(), camera_,       low_.any_beside()};
+    Kept kept{frame_.width, frame_.height, things_.blind_range(), things_.things(),
+              low_.floor(), camera_,       low_.any_beside()};
+    if (!hidden_.spots().empty()) kept.things.push_back(unseen(hidden_.spots()));
+    return kept;
   };
   written_.bring_up_to_date(things_.things(), near_distance(), lost, now, kept);
 }
@@ -226,6 +238,7 @@ bool NearLoss::restore(const std::string& text) {
 /// Their sizes stay: in a raster, whose cells grow with the spacing of the points, one point is one pixel all the same.
 bool NearLoss::move_to(const Frame& frame) {
   if (frame == frame_) return false;
+  things_.add_unseen(hidden_.take());
   things_.for_each_spot([&](Spot& spot) { place(spot, frame_, frame); });
   frame_ = frame;
   floor_ = FloorStrip{};
@@ -239,6 +252,7 @@ void NearLoss::settle_in_axes() {
   height_ = CameraHeight{};
   low_.change_axes();
   floor_.change_axes();
+  things_.add_unseen(hidden_.take());
   things_.change_axes(camera_);
   things_.stay();
   backdrop_ = Backdrop{};
@@ -247,6 +261,7 @@ void NearLoss::settle_in_axes() {
 void NearLoss::move_with_camera(const Outlook& outlook) {
   camera_ = camera_pose_of(outlook);
   if (std::exchange(are_axes_new_, false)) settle_in_axes();
+  things_.add_unseen(hidden_.left_behind(camera_));
   const float height = -place_of(camera_)[1];
   low_.move_to(height, height_.note(height));
   floor_.move_to(height);
@@ -257,6 +272,7 @@ void NearLoss::turn_corridor(double angle) {
   low_.change_corridor();
   backdrop_ = Backdrop{};
   things_.stay();
+  things_.add_unseen(hidden_.take());
   things_.turn_corridor(angle);
 }
 

@@ -11,6 +11,7 @@
 #include "camera_height.hpp"
 #include "floor_strip.hpp"
 #include "frame.hpp"
+#include "hidden_floor.hpp"
 #include "losses.hpp"
 #include "low_obstacles.hpp"
 #include "margins.hpp"
@@ -112,6 +113,7 @@ class NearLoss {
   CameraHeight height_;
   NearGround ground_;
   FloorStrip floor_;
+  HiddenFloor hidden_;
   LowObstacles low_;
   Raster raster_;
   Margins margins_;

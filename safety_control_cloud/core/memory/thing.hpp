@@ -34,6 +34,7 @@ struct Spot {
   bool foot_unseen = false;                    ///< nothing farther away returned in this column below what is seen
   bool hung_before = false;            ///< until what is below it was hidden: it does not go with the rest of a thing
   bool went_alone = false;             ///< the rest of the thing was still seen then: it does not go with that
+  bool only_hides = false;             ///< what is behind it, and was never seen: it is there, or nearer on that ray
   CameraPose camera{};                 ///< then
   float turning = 0.0f;                ///< [rad] by which its picture turned from the one before
   std::uint32_t picture = 0;           ///< the number of the one that showed it; 0: none did

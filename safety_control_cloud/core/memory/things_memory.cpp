@@ -56,6 +56,17 @@ void ThingsMemory::add(std::vector<Remembered> things, float blind_range, const 
   camera_ = camera;
 }
 
+void ThingsMemory::add_unseen(std::vector<Spot> spots) {
+  if (spots.empty()) return;
+  auto thing = std::find_if(things_.begin(), things_.end(), [](const Remembered& one) { return one.is_unseen; });
+  if (thing == things_.end()) {
+    thing = things_.emplace(things_.end());
+    thing->is_unseen = true;
+  }
+  thing->size += size_of(spots);
+  append(thing->lost, std::move(spots), thing->size);
+}
+
 void ThingsMemory::scale_sizes(double by) {
   for (Remembered& thing : things_)
     for (double* size : {&thing.size, &thing.freed, &thing.seen.size}) *size *= by;

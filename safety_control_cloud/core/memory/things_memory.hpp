@@ -59,6 +59,8 @@ class ThingsMemory {
   float blind_range() const { return blind_range_; }
   /// These are remembered too, of which nothing is seen, since that camera was there.
   void add(std::vector<Remembered> things, float blind_range, const CameraPose& camera);
+  /// So is what was never seen, and hid from these places on what is behind them.
+  void add_unseen(std::vector<Spot> spots);
 
  private:
   float turning_to(const CameraPose& camera) const;

@@ -8,7 +8,6 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double least_off = 0.0175;  // [rad] 1 degree
 constexpr double least_ahead = 0.05;  // [m] of the camera: nearer, directions mean nothing
 /// By how much the camera may be rolled against how it was for a column to show what stood below a spot, and tilted for
 /// that to have stood there: what ends with the picture counts as standing, though it may hang right below that.
@@ -113,6 +112,7 @@ std::optional<TurnedSpot> turned_spot(const Spot& spot, const Gaze& gaze, const 
   };
   turned.spot.stands = spot.stands && is_as_before(right_of, level) && is_as_before(ahead_of, as_low);
   to.add_around(*at, off, turned.places);
+  if (spot.only_hides) return turned;
   Point nearer = place;
   nearer.z -= static_cast<float>(growth / (1.0 + growth)) * std::max(0.0f, nearer.z - gaze.outlook.camera().z);
   const auto end = to.position_of(nearer);

@@ -10,6 +10,8 @@
 
 namespace safety_control_cloud {
 
+constexpr double least_off = 0.0175;  ///< [rad] 1 degree: no direction is known better
+
 /// A spot that was seen when the camera looked another way, as its present picture would show it.
 struct TurnedSpot {
   struct Place {
