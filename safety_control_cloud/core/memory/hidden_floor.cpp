@@ -14,8 +14,7 @@ namespace {
 /// Of a picture as wide as this each column is asked; of one with more, so many.
 constexpr std::size_t columns_asked = 80;
 
-/// [rad] So near its border a picture says nothing of what another one has shown, as of that of which it may not be
-/// asked.
+/// [rad] What lies so near the border of a picture is not asked for: one that looks a little elsewhere may not show it.
 constexpr double border = 1.5 * least_off;
 
 /// Of the picture's width: a thing is remembered in pixels that lie within it.

@@ -8,11 +8,7 @@
 namespace safety_control_cloud {
 namespace {
 
-Frame frame_of(const Lens& lens) {
-  return {lens.width,
-          lens.height,
-          {RayLine{-lens.across / lens.focal, 1.0 / lens.focal}, RayLine{-lens.down / lens.focal, 1.0 / lens.focal}}};
-}
+Frame frame_of(const Lens& lens) { return {lens.width, lens.height, lens.rays()}; }
 
 Spot spot_at(const Lens& lens, std::uint16_t row, std::uint16_t column) {
   Spot spot;

@@ -9,8 +9,7 @@ namespace safety_control_cloud {
 namespace {
 
 const Lens lens;
-const RayLines rays{RayLine{-lens.across / lens.focal, 1.0 / lens.focal},
-                    RayLine{-lens.down / lens.focal, 1.0 / lens.focal}};
+const RayLines rays = lens.rays();
 constexpr float near = 0.4f;  // [m]
 const std::vector<std::size_t> rows{119, 118, 117, 116, 115, 114};
 const std::vector<Span> middle{{0.45, 0.55}}, nowhere;

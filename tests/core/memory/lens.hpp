@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../../../safety_control_cloud/core/input/depth.hpp"
+#include "../../../safety_control_cloud/core/look/ray_lines.hpp"
 #include "../scene.hpp"
 
 namespace safety_control_cloud {
@@ -31,6 +32,8 @@ struct Lens {
             static_cast<std::size_t>(by * static_cast<double>(height)), by * focal, by * (across + 0.5) - 0.5,
             by * (down + 0.5) - 0.5};
   }
+
+  RayLines rays() const { return {RayLine{-across / focal, 1.0 / focal}, RayLine{-down / focal, 1.0 / focal}}; }
 
   bool shows_column(double slant) const {
     const double column = across + focal * slant;

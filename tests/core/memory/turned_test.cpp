@@ -12,8 +12,7 @@ namespace safety_control_cloud {
 namespace {
 
 const Lens lens;
-const RayLines rays{RayLine{-lens.across / lens.focal, 1.0 / lens.focal},
-                    RayLine{-lens.down / lens.focal, 1.0 / lens.focal}};
+const RayLines rays = lens.rays();
 constexpr float wall = 2.0f;  // [m]
 
 /// Of a camera that looks so far [rad] to the right, and is a little before what it turns around.
