@@ -39,13 +39,13 @@ std::optional<Point> farthest_in_corridor(double right, double down, const Outlo
   return std::nullopt;
 }
 
-/// Two of the rows, counted from the lowest up: the highest, and that in the middle of all that do not lie at the
-/// border of the picture, if there are any.
+/// Two of the rows, counted from the lowest up, that do not lie at the border of the picture, if there are any: at a
+/// third and at two thirds of them, for at its upper edge a thing is not known to a degree.
 std::vector<std::size_t> asked_of(const std::vector<std::size_t>& rows, std::size_t height, double slope) {
   const auto is_inside = [&](std::size_t row) { return static_cast<double>(height - 1 - row) * slope >= border; };
   const auto inside = static_cast<std::size_t>(std::find_if(rows.begin(), rows.end(), is_inside) - rows.begin());
-  const std::size_t first = inside < rows.size() ? inside : 0;
-  std::vector<std::size_t> asked{rows[(first + rows.size()) / 2], rows.back()};
+  const std::size_t first = inside < rows.size() ? inside : 0, count = rows.size() - first;
+  std::vector<std::size_t> asked{rows[first + count / 3], rows[first + 2 * count / 3]};
   asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
   return asked;
 }
@@ -72,32 +72,55 @@ std::vector<Span> hidden_by(const std::vector<Remembered>& things, const Pixels&
   return spans;
 }
 
-std::vector<Spot> HiddenFloor::left_behind(const CameraPose& camera) {
-  return spots_.empty() || show_the_same(looked_since_, camera) ? std::vector<Spot>{} : take();
+std::vector<Spot> HiddenFloor::take() {
+  auto spots = std::exchange(spots_, {});
+  spots.insert(spots.end(), spots_before_.begin(), spots_before_.end());
+  spots_before_.clear();
+  return spots;
 }
 
-void HiddenFloor::note(const std::vector<Span>& covered, const std::vector<Span>& explained,
-                       const std::vector<std::size_t>& rows, const Pixels& picture, const Gaze& gaze, float near) {
+std::vector<Spot> HiddenFloor::left_behind(const CameraPose& camera) {
+  return !looked_since_ || show_the_same(*looked_since_, camera) ? std::vector<Spot>{} : take();
+}
+
+void HiddenFloor::note_shown(const FloorStrip& floor, std::size_t columns) {
+  shown_.resize(columns, false);
+  for (std::size_t i = 0; i < columns; ++i) {
+    const auto [shown, hidden] = floor.column(i);
+    if (shown > hidden) shown_[i] = true;
+  }
+}
+
+void HiddenFloor::note(const FloorStrip& floor, const std::vector<Span>& covered, const std::vector<Span>& explained,
+                       const Pixels& picture, const Gaze& gaze, float near) {
   const bool rests = latest_ && turning_between(*latest_, gaze.camera) <= still;
   has_turned_ = has_turned_ || (latest_ && !rests);
   latest_ = gaze.camera;
   if (!rests) return;
+  const std::size_t width = picture.width(), step = std::max<std::size_t>(1, width / columns_asked);
+  const std::size_t ground_step = NearGround::column_step_of(width), columns = (width + ground_step - 1) / ground_step;
+  if (!looked_since_ || !show_the_same(*looked_since_, gaze.camera)) {
+    has_looked_elsewhere_ = looked_since_.has_value();
+    looked_since_ = gaze.camera;
+    shown_.clear();
+  }
+  if (has_looked_elsewhere_) note_shown(floor, columns);
   clouds_gone_ = covered.empty() ? clouds_gone_ + 1 : 0;
   if (covered.empty() && clouds_gone_ < clouds_to_go) return;
-  if (spots_.empty()) looked_since_ = gaze.camera;
-  spots_.clear();
+  spots_before_ = std::exchange(spots_, {});
   const auto &across = gaze.rays.across, &down = gaze.rays.down;
-  if (covered.empty() || rows.empty() || !across || !down) return;
+  if (covered.empty()) spots_before_.clear();
+  if (covered.empty() || floor.rows().empty() || !across || !down) return;
   const auto aside = static_cast<std::size_t>(std::ceil(border / std::abs(across->slope)));
-  const std::size_t width = picture.width(), step = std::max<std::size_t>(1, width / columns_asked);
-  const auto asked = asked_of(rows, picture.height(), std::abs(down->slope));
-  const double high = static_cast<double>(rows.size()) / static_cast<double>(asked.size());  // [px] each stands for
+  const auto asked = asked_of(floor.rows(), picture.height(), std::abs(down->slope));
+  const double high = static_cast<double>(floor.rows().size()) / static_cast<double>(asked.size());  // [px] of each
   const double angle = static_cast<double>(step) * high * std::abs(across->slope * down->slope);
   for (const std::size_t row : asked) {
     bool nearer = false;
     for (std::size_t column = aside; column + aside < width; column += step) {
       const double part = (static_cast<double>(column) + 0.5) / static_cast<double>(width);
       if (!is_in_any(covered, part) || is_in_any(explained, part)) continue;
+      if (has_looked_elsewhere_ && !shown_[column / ground_step]) continue;
       nearer = !nearer;
       if (returned(picture.at(row, column))) continue;
       const auto at =

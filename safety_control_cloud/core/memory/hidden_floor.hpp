@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "floor_strip.hpp"
 #include "gaze.hpp"
 #include "loss.hpp"
 #include "pixels.hpp"
@@ -19,7 +20,8 @@ std::vector<Span> hidden_by(const std::vector<Remembered>& things, const Pixels&
 
 /// What hides the near floor, and was never seen itself: as long as the camera looks as it does, its picture says
 /// whether it is still there. Once it looks elsewhere, other floor lies in the same rows: what was hidden is asked for
-/// where it was.
+/// where it was. But what is dark wherever the camera glances is not: once it has looked elsewhere, only what was seen
+/// to be hidden counts, of floor that was shown as the camera looks.
 class HiddenFloor {
  public:
   /// Whether it may still be there, though the picture may show all of the floor, of a camera that turns.
@@ -27,24 +29,29 @@ class HiddenFloor {
 
   /// What is hidden in the picture of a camera that rests.
   const std::vector<Spot>& spots() const { return spots_; }
-  /// Those, if the camera looks elsewhere by now; they are none of its picture's any more.
+  /// Those, if the camera looks elsewhere by now; they are none of its picture's any more. And those of the picture
+  /// before: it may have turned by the latest one, and TF not yet have said so.
   std::vector<Spot> left_behind(const CameraPose& camera);
   /// Those, wherever it looks.
-  std::vector<Spot> take() { return std::exchange(spots_, {}); }
+  std::vector<Spot> take();
 
-  /// Nothing returns in these rows of the picture where they are `covered`, and not `explained`. What hides that lies
-  /// in the corridor, nearer than `near` [m] ahead of the camera, for all that is known on the way to the floor. It has
+  /// Nothing returns in the rows of the strip where they are `covered`, and not `explained`. What hides that lies in
+  /// the corridor, nearer than `near` [m] ahead of the camera, for all that is known on the way to the floor. It has
   /// gone once some successive pictures show none: what a camera that turns shows may come before TF says that it has
   /// turned.
-  void note(const std::vector<Span>& covered, const std::vector<Span>& explained, const std::vector<std::size_t>& rows,
+  void note(const FloorStrip& floor, const std::vector<Span>& covered, const std::vector<Span>& explained,
             const Pixels& picture, const Gaze& gaze, float near);
 
  private:
+  void note_shown(const FloorStrip& floor, std::size_t columns);
+
   std::optional<CameraPose> latest_;
-  bool has_turned_ = false;
-  CameraPose looked_since_{};  ///< but for less than what counts as elsewhere
-  std::vector<Spot> spots_;
-  unsigned clouds_gone_ = 0;  ///< so many successive pictures show nothing covered
+  bool has_turned_ = false, has_looked_elsewhere_ = false;
+  /// But for less than what counts as elsewhere; what follows was seen since.
+  std::optional<CameraPose> looked_since_;
+  std::vector<bool> shown_;                 ///< of each column of the strip, whether it showed the floor
+  std::vector<Spot> spots_, spots_before_;  ///< of the latest picture that counts, and of the one before
+  unsigned clouds_gone_ = 0;                ///< so many successive pictures show nothing covered
 };
 
 }  // namespace safety_control_cloud

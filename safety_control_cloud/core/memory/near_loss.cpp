@@ -161,7 +161,7 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
   note_backdrop(picture, thing && thing->whole);
   auto loss = nearer(low, thing);
   auto covered = floor_.covered();
-  hidden_.note(covered, hidden_by(things_.things(), picture, camera_), floor_.rows(), picture, {outlook, frame_.rays},
+  hidden_.note(floor_, covered, hidden_by(things_.things(), picture, camera_), picture, {outlook, frame_.rays},
                static_cast<float>(blind_range()));
   if (!covered.empty() || hidden_.may_be_there()) {
     loss = Loss{Cause::NearLoss, std::nullopt, true,

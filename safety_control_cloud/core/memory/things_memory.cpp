@@ -39,8 +39,10 @@ void append(std::vector<Spot>& all, std::vector<Spot> some, double size) {
 }
 
 /// While a camera turns, its picture says of nothing that it has gone, but of what is seen again that it is not lost.
+/// What was never seen itself has nothing that a picture could take for it: it goes by all that do rest.
 void drop_what_is_seen(std::vector<Spot>& lost, const Gaze& gaze, float turning, const Pixels& picture) {
-  for (Spot& spot : lost) spot.seen_past = 0;
+  for (Spot& spot : lost)
+    if (!spot.only_hides) spot.seen_past = 0;
   const auto is_seen = [&](const Spot& spot) {
     const auto turned = turned_spot(spot, gaze, picture, turning);
     return turned && is_there(*turned, picture);

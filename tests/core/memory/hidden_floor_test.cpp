@@ -11,7 +11,6 @@ namespace {
 const Lens lens;
 const RayLines rays = lens.rays();
 constexpr float near = 0.4f;  // [m]
-const std::vector<std::size_t> rows{119, 118, 117, 116, 115, 114};
 const std::vector<Span> middle{{0.45, 0.55}}, nowhere;
 constexpr std::size_t from = 72, to = 87;  // columns
 
@@ -29,7 +28,7 @@ struct Picture {
   CloudView view{};
 
   Pixels pixels(bool hidden = true) {
-    for (const std::size_t row : rows)
+    for (std::size_t row = 60; row < lens.height; ++row)
       for (std::size_t column = from; column <= to && hidden; ++column)
         points[row * lens.width + column] = {NAN, NAN, NAN};
     view = lens.view_of_rows(points);
@@ -37,11 +36,20 @@ struct Picture {
   }
 };
 
+/// As it shows one picture of a camera that looks ahead.
+FloorStrip strip(Picture picture, bool hidden = true) {
+  NearGround ground;
+  ground.look_at(picture.pixels(hidden), looking().outlook, 0.75f);
+  FloorStrip floor;
+  floor.survey(ground);
+  return floor;
+}
+
 /// After two pictures, of which the second shows that the camera rests.
 HiddenFloor noted(const Gaze& gaze = looking()) {
   Picture picture;
   HiddenFloor hidden;
-  for (int i = 0; i < 2; ++i) hidden.note(middle, nowhere, rows, picture.pixels(), gaze, near);
+  for (int i = 0; i < 2; ++i) hidden.note(strip(picture), middle, nowhere, picture.pixels(), gaze, near);
   return hidden;
 }
 
@@ -71,9 +79,9 @@ TEST(HiddenFloor, ItMayBeRightBeforeTheCamerasBlindRangeOrMuchNearer) {
 TEST(HiddenFloor, NothingIsKnownOfWhatIsNotCoveredOrReturnsOrIfNobodyKnowsWhichWayThePixelsLook) {
   Picture picture;
   HiddenFloor hidden;
-  for (int i = 0; i < 2; ++i) hidden.note(nowhere, nowhere, rows, picture.pixels(), looking(), near);
+  for (int i = 0; i < 2; ++i) hidden.note(strip(picture), nowhere, nowhere, picture.pixels(), looking(), near);
   EXPECT_TRUE(hidden.spots().empty());
-  for (int i = 0; i < 2; ++i) hidden.note({{0.1, 0.2}}, nowhere, rows, picture.pixels(), looking(), near);
+  for (int i = 0; i < 2; ++i) hidden.note(strip(picture), {{0.1, 0.2}}, nowhere, picture.pixels(), looking(), near);
   EXPECT_TRUE(hidden.spots().empty()) << "the floor returns there";
   EXPECT_TRUE(noted(looking(0.0, {})).spots().empty());
 }
@@ -89,7 +97,7 @@ TEST(HiddenFloor, WhatStandsThereAndIsLostExplainsIt) {
   ASSERT_EQ(spans.size(), 1U);
   EXPECT_TRUE(spans[0].from < 0.45 && spans[0].to > 0.55);
   HiddenFloor hidden;
-  for (int i = 0; i < 2; ++i) hidden.note(middle, spans, rows, picture.pixels(), looking(), near);
+  for (int i = 0; i < 2; ++i) hidden.note(strip(picture), middle, spans, picture.pixels(), looking(), near);
   EXPECT_TRUE(hidden.spots().empty());
   EXPECT_TRUE(hidden_by({post}, picture.pixels(), looking(0.1).camera).empty()) << "as another camera saw it";
   for (Spot& hanging : post.lost) hanging.stands = false;
@@ -105,6 +113,25 @@ TEST(HiddenFloor, ItIsLeftBehindOnceTheCameraLooksElsewhere) {
   EXPECT_TRUE(hidden.left_behind(looking(0.1).camera).empty()) << "once";
 }
 
+TEST(HiddenFloor, OnceTheCameraHasLookedElsewhereOnlyWhatWasSeenToBeHiddenCounts) {
+  HiddenFloor hidden = noted();
+  Picture dark, picture;
+  const Gaze there = looking(0.1);
+  EXPECT_FALSE(hidden.left_behind(there.camera).empty());
+  for (int i = 0; i < 4; ++i) hidden.note(strip(dark), middle, nowhere, dark.pixels(), there, near);
+  EXPECT_TRUE(hidden.spots().empty()) << "it may be a carpet";
+  hidden.note(strip(picture, false), nowhere, nowhere, picture.pixels(false), there, near);
+  hidden.note(strip(dark), middle, nowhere, dark.pixels(), there, near);
+  EXPECT_FALSE(hidden.spots().empty()) << "it has come";
+}
+
+TEST(HiddenFloor, ItIsLeftBehindThoughTFIsAPictureLate) {
+  HiddenFloor hidden = noted();
+  Picture past, picture;
+  hidden.note(strip(picture), middle, nowhere, past.pixels(false), looking(), near);
+  EXPECT_FALSE(hidden.left_behind(looking(0.1).camera).empty()) << "the camera had turned by the latest one";
+}
+
 TEST(HiddenFloor, ItIsLeftBehindByACameraThatTurnsSlowly) {
   HiddenFloor hidden = noted();
   Picture picture;
@@ -112,7 +139,7 @@ TEST(HiddenFloor, ItIsLeftBehindByACameraThatTurnsSlowly) {
   for (double up = 0.0; up < 0.03; up += 0.004) {
     const Gaze gaze = looking(up);
     left += hidden.left_behind(gaze.camera).size();
-    hidden.note(middle, nowhere, rows, picture.pixels(), gaze, near);
+    hidden.note(strip(picture), middle, nowhere, picture.pixels(), gaze, near);
   }
   EXPECT_GT(left, 0U);
 }
@@ -120,12 +147,13 @@ TEST(HiddenFloor, ItIsLeftBehindByACameraThatTurnsSlowly) {
 TEST(HiddenFloor, ItHasGoneOnceThreePicturesOfACameraThatRestsShowTheFloor) {
   HiddenFloor hidden = noted();
   Picture picture;
-  for (int i = 0; i < 2; ++i) hidden.note(nowhere, nowhere, rows, picture.pixels(false), looking(), near);
+  for (int i = 0; i < 2; ++i)
+    hidden.note(strip(picture, false), nowhere, nowhere, picture.pixels(false), looking(), near);
   EXPECT_FALSE(hidden.spots().empty());
   EXPECT_FALSE(hidden.may_be_there()) << "of a camera that never turned, one picture is enough";
-  hidden.note(nowhere, nowhere, rows, picture.pixels(false), looking(0.008), near);
+  hidden.note(strip(picture, false), nowhere, nowhere, picture.pixels(false), looking(0.008), near);
   EXPECT_TRUE(hidden.may_be_there()) << "it turns";
-  hidden.note(nowhere, nowhere, rows, picture.pixels(false), looking(0.008), near);
+  hidden.note(strip(picture, false), nowhere, nowhere, picture.pixels(false), looking(0.008), near);
   EXPECT_TRUE(hidden.spots().empty());
   EXPECT_FALSE(hidden.may_be_there());
 }
