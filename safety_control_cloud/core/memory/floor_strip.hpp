@@ -40,6 +40,7 @@ class FloorStrip {
   void survey(const NearGround& ground, const Patience& patience = {});
 
   const std::vector<std::size_t>& rows() const { return rows_; }  ///< of the picture, in which it lies
+  std::size_t columns() const { return shown_.size(); }
   Column column(std::size_t i) const { return {shown_[i], i < first_ || i >= last_ ? foot_[i] : foot_[i] + blank_[i]}; }
 
   /// Whether the floor is seen again in a column, and is blank nowhere right beside it and farther out: what stood in

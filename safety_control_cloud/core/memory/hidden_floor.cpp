@@ -50,6 +50,37 @@ std::vector<std::size_t> asked_of(const std::vector<std::size_t>& rows, std::siz
   return asked;
 }
 
+std::size_t step_of(std::size_t width) { return std::max<std::size_t>(1, width / columns_asked); }
+
+/// Of the pixels in these columns and in some of the rows, those on whose rays nothing returns.
+std::vector<Spot> spots_on_rays(const std::vector<std::size_t>& rows, const std::vector<std::size_t>& columns,
+                                const Pixels& picture, const Gaze& gaze, float near) {
+  std::vector<Spot> spots;
+  const RayLine &across = *gaze.rays.across, &down = *gaze.rays.down;
+  const auto asked = asked_of(rows, picture.height(), std::abs(down.slope));
+  const double high = static_cast<double>(rows.size()) / static_cast<double>(asked.size());  // [px] of each
+  const double angle = static_cast<double>(step_of(picture.width())) * high * std::abs(across.slope * down.slope);
+  for (const std::size_t row : asked) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const std::size_t column = columns[i];
+      if (returned(picture.at(row, column))) continue;
+      const auto at =
+          farthest_in_corridor(across.slant(static_cast<double>(column)), down.slant(static_cast<double>(row)),
+                               gaze.outlook, i % 2 == 0 ? much_nearer * near : near);
+      if (!at) continue;
+      Spot spot;
+      spot.row = static_cast<std::uint16_t>(row), spot.column = static_cast<std::uint16_t>(column);
+      spot.point = *at;
+      spot.share = static_cast<float>(angle * double{at->z} * double{at->z});
+      spot.company = half_of_all;
+      spot.foot_unseen = spot.only_hides = true;
+      spot.camera = gaze.camera;
+      spots.push_back(spot);
+    }
+  }
+  return spots;
+}
+
 bool is_in_any(const std::vector<Span>& spans, double at) {
   return std::any_of(spans.begin(), spans.end(), [at](const Span& span) { return span.from <= at && at <= span.to; });
 }
@@ -83,60 +114,43 @@ std::vector<Spot> HiddenFloor::left_behind(const CameraPose& camera) {
   return !looked_since_ || show_the_same(*looked_since_, camera) ? std::vector<Spot>{} : take();
 }
 
-void HiddenFloor::note_shown(const FloorStrip& floor, std::size_t columns) {
-  shown_.resize(columns, false);
-  for (std::size_t i = 0; i < columns; ++i) {
+void HiddenFloor::note_shown(const FloorStrip& floor) {
+  shown_.resize(floor.columns(), false);
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
     const auto [shown, hidden] = floor.column(i);
     if (shown > hidden) shown_[i] = true;
   }
 }
 
-void HiddenFloor::note(const FloorStrip& floor, const std::vector<Span>& covered, const std::vector<Span>& explained,
+void HiddenFloor::note(const FloorStrip& floor, const std::vector<Span>& covered, const std::vector<Remembered>& things,
                        const Pixels& picture, const Gaze& gaze, float near) {
   const bool rests = latest_ && turning_between(*latest_, gaze.camera) <= still;
   has_turned_ = has_turned_ || (latest_ && !rests);
   latest_ = gaze.camera;
   if (!rests) return;
-  const std::size_t width = picture.width(), step = std::max<std::size_t>(1, width / columns_asked);
-  const std::size_t ground_step = NearGround::column_step_of(width), columns = (width + ground_step - 1) / ground_step;
   if (!looked_since_ || !show_the_same(*looked_since_, gaze.camera)) {
     has_looked_elsewhere_ = looked_since_.has_value();
     looked_since_ = gaze.camera;
     shown_.clear();
   }
-  if (has_looked_elsewhere_) note_shown(floor, columns);
+  if (has_looked_elsewhere_) note_shown(floor);
   clouds_gone_ = covered.empty() ? clouds_gone_ + 1 : 0;
   if (covered.empty() && clouds_gone_ < clouds_to_go) return;
   spots_before_ = std::exchange(spots_, {});
-  const auto &across = gaze.rays.across, &down = gaze.rays.down;
   if (covered.empty()) spots_before_.clear();
-  if (covered.empty() || floor.rows().empty() || !across || !down) return;
-  const auto aside = static_cast<std::size_t>(std::ceil(border / std::abs(across->slope)));
-  const auto asked = asked_of(floor.rows(), picture.height(), std::abs(down->slope));
-  const double high = static_cast<double>(floor.rows().size()) / static_cast<double>(asked.size());  // [px] of each
-  const double angle = static_cast<double>(step) * high * std::abs(across->slope * down->slope);
-  for (const std::size_t row : asked) {
-    bool nearer = false;
-    for (std::size_t column = aside; column + aside < width; column += step) {
-      const double part = (static_cast<double>(column) + 0.5) / static_cast<double>(width);
-      if (!is_in_any(covered, part) || is_in_any(explained, part)) continue;
-      if (has_looked_elsewhere_ && !shown_[column / ground_step]) continue;
-      nearer = !nearer;
-      if (returned(picture.at(row, column))) continue;
-      const auto at =
-          farthest_in_corridor(across->slant(static_cast<double>(column)), down->slant(static_cast<double>(row)),
-                               gaze.outlook, nearer ? much_nearer * near : near);
-      if (!at) continue;
-      Spot spot;
-      spot.row = static_cast<std::uint16_t>(row), spot.column = static_cast<std::uint16_t>(column);
-      spot.point = *at;
-      spot.share = static_cast<float>(angle * double{at->z} * double{at->z});
-      spot.company = half_of_all;
-      spot.foot_unseen = spot.only_hides = true;
-      spot.camera = gaze.camera;
-      spots_.push_back(spot);
-    }
-  }
+  if (covered.empty() || floor.rows().empty() || !gaze.rays.across || !gaze.rays.down) return;
+  const auto explained = hidden_by(things, picture, gaze.camera);
+  const std::size_t width = picture.width(), of_strip = NearGround::column_step_of(width);
+  const auto counts = [&](std::size_t column) {
+    const double at = (static_cast<double>(column) + 0.5) / static_cast<double>(width);
+    const bool may_be_dark = has_looked_elsewhere_ && !shown_[column / of_strip];
+    return is_in_any(covered, at) && !is_in_any(explained, at) && !may_be_dark;
+  };
+  const auto aside = static_cast<std::size_t>(std::ceil(border / std::abs(gaze.rays.across->slope)));
+  std::vector<std::size_t> columns;
+  for (std::size_t column = aside; column + aside < width; column += step_of(width))
+    if (counts(column)) columns.push_back(column);
+  spots_ = spots_on_rays(floor.rows(), columns, picture, gaze, near);
 }
 
 }  // namespace safety_control_cloud

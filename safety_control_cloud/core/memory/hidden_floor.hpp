@@ -35,15 +35,15 @@ class HiddenFloor {
   /// Those, wherever it looks.
   std::vector<Spot> take();
 
-  /// Nothing returns in the rows of the strip where they are `covered`, and not `explained`. What hides that lies in
-  /// the corridor, nearer than `near` [m] ahead of the camera, for all that is known on the way to the floor. It has
-  /// gone once some successive pictures show none: what a camera that turns shows may come before TF says that it has
-  /// turned.
-  void note(const FloorStrip& floor, const std::vector<Span>& covered, const std::vector<Span>& explained,
+  /// Nothing returns in the rows of the strip where they are `covered`, and not hidden by the lost of `things`. What
+  /// hides that lies in the corridor, nearer than `near` [m] ahead of the camera, for all that is known on the way to
+  /// the floor. It has gone once some successive pictures show none: what a camera that turns shows may come before TF
+  /// says that it has turned.
+  void note(const FloorStrip& floor, const std::vector<Span>& covered, const std::vector<Remembered>& things,
             const Pixels& picture, const Gaze& gaze, float near);
 
  private:
-  void note_shown(const FloorStrip& floor, std::size_t columns);
+  void note_shown(const FloorStrip& floor);
 
   std::optional<CameraPose> latest_;
   bool has_turned_ = false, has_looked_elsewhere_ = false;

@@ -28,14 +28,6 @@ constexpr double cut_off = 0.05;
 /// So much farther than what counts, things are watched.
 constexpr double watched = 1.6;
 
-/// The camera may look elsewhere when the process comes up again.
-Remembered unseen(const std::vector<Spot>& spots) {
-  Remembered thing;
-  thing.size = size_of(spots);
-  thing.lost = spots;
-  return thing;
-}
-
 constexpr const char* what_frees =
     "the camera sees what is behind it, or the near floor on which it stood, or after ~reset, when somebody has looked";
 
@@ -161,8 +153,7 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
   note_backdrop(picture, thing && thing->whole);
   auto loss = nearer(low, thing);
   auto covered = floor_.covered();
-  hidden_.note(floor_, covered, hidden_by(things_.things(), picture, camera_), picture, {outlook, frame_.rays},
-               static_cast<float>(blind_range()));
+  hidden_.note(floor_, covered, things_.things(), picture, {outlook, frame_.rays}, static_cast<float>(blind_range()));
   if (!covered.empty() || hidden_.may_be_there()) {
     loss = Loss{Cause::NearLoss, std::nullopt, true,
                 "the near floor is hidden by something nearer than the camera can see"};
@@ -213,10 +204,10 @@ void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, 
 
 void NearLoss::write_down(bool lost, double now) {
   const auto kept = [this] {
-    Kept kept{frame_.width, frame_.height, things_.blind_range(), things_.things(),
-              low_.floor(), camera_,       low_.any_beside()};
-    if (!hidden_.spots().empty()) kept.things.push_back(unseen(hidden_.spots()));
-    return kept;
+    ThingsMemory things = things_;
+    things.add_unseen(hidden_.spots());  // the camera may look elsewhere when the process comes up again
+    return Kept{frame_.width, frame_.height, things_.blind_range(), things.things(),
+                low_.floor(), camera_,       low_.any_beside()};
   };
   written_.bring_up_to_date(things_.things(), near_distance(), lost, now, kept);
 }

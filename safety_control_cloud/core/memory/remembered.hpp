@@ -20,10 +20,10 @@ struct Remembered {
   bool at_border = false;        ///< when it was seen last
   bool vanished = false;         ///< in mid-air: see ThingsMemory
   std::optional<Moved> moved{};  ///< none: it is lost where it was seen
-  bool is_unseen = false;        ///< it was never seen itself, but only what it hid
   bool is_slight = false;        ///< of few pixels, which in a single cloud may be false
 
   bool is_seen() const { return !seen.spots.empty(); }
+  bool was_never_seen() const { return !lost.empty() && lost.front().only_hides; }  ///< but only what it hid
 };
 
 }  // namespace safety_control_cloud

@@ -60,11 +60,8 @@ void ThingsMemory::add(std::vector<Remembered> things, float blind_range, const 
 
 void ThingsMemory::add_unseen(std::vector<Spot> spots) {
   if (spots.empty()) return;
-  auto thing = std::find_if(things_.begin(), things_.end(), [](const Remembered& one) { return one.is_unseen; });
-  if (thing == things_.end()) {
-    thing = things_.emplace(things_.end());
-    thing->is_unseen = true;
-  }
+  auto thing = std::find_if(things_.begin(), things_.end(), [](const Remembered& one) { return one.was_never_seen(); });
+  if (thing == things_.end()) thing = things_.emplace(things_.end());
   thing->size += size_of(spots);
   append(thing->lost, std::move(spots), thing->size);
 }

@@ -49,7 +49,7 @@ FloorStrip strip(Picture picture, bool hidden = true) {
 HiddenFloor noted(const Gaze& gaze = looking()) {
   Picture picture;
   HiddenFloor hidden;
-  for (int i = 0; i < 2; ++i) hidden.note(strip(picture), middle, nowhere, picture.pixels(), gaze, near);
+  for (int i = 0; i < 2; ++i) hidden.note(strip(picture), middle, {}, picture.pixels(), gaze, near);
   return hidden;
 }
 
@@ -79,9 +79,9 @@ TEST(HiddenFloor, ItMayBeRightBeforeTheCamerasBlindRangeOrMuchNearer) {
 TEST(HiddenFloor, NothingIsKnownOfWhatIsNotCoveredOrReturnsOrIfNobodyKnowsWhichWayThePixelsLook) {
   Picture picture;
   HiddenFloor hidden;
-  for (int i = 0; i < 2; ++i) hidden.note(strip(picture), nowhere, nowhere, picture.pixels(), looking(), near);
+  for (int i = 0; i < 2; ++i) hidden.note(strip(picture), nowhere, {}, picture.pixels(), looking(), near);
   EXPECT_TRUE(hidden.spots().empty());
-  for (int i = 0; i < 2; ++i) hidden.note(strip(picture), {{0.1, 0.2}}, nowhere, picture.pixels(), looking(), near);
+  for (int i = 0; i < 2; ++i) hidden.note(strip(picture), {{0.1, 0.2}}, {}, picture.pixels(), looking(), near);
   EXPECT_TRUE(hidden.spots().empty()) << "the floor returns there";
   EXPECT_TRUE(noted(looking(0.0, {})).spots().empty());
 }
@@ -97,7 +97,7 @@ TEST(HiddenFloor, WhatStandsThereAndIsLostExplainsIt) {
   ASSERT_EQ(spans.size(), 1U);
   EXPECT_TRUE(spans[0].from < 0.45 && spans[0].to > 0.55);
   HiddenFloor hidden;
-  for (int i = 0; i < 2; ++i) hidden.note(strip(picture), middle, spans, picture.pixels(), looking(), near);
+  for (int i = 0; i < 2; ++i) hidden.note(strip(picture), middle, {post}, picture.pixels(), looking(), near);
   EXPECT_TRUE(hidden.spots().empty());
   EXPECT_TRUE(hidden_by({post}, picture.pixels(), looking(0.1).camera).empty()) << "as another camera saw it";
   for (Spot& hanging : post.lost) hanging.stands = false;
@@ -118,17 +118,17 @@ TEST(HiddenFloor, OnceTheCameraHasLookedElsewhereOnlyWhatWasSeenToBeHiddenCounts
   Picture dark, picture;
   const Gaze there = looking(0.1);
   EXPECT_FALSE(hidden.left_behind(there.camera).empty());
-  for (int i = 0; i < 4; ++i) hidden.note(strip(dark), middle, nowhere, dark.pixels(), there, near);
+  for (int i = 0; i < 4; ++i) hidden.note(strip(dark), middle, {}, dark.pixels(), there, near);
   EXPECT_TRUE(hidden.spots().empty()) << "it may be a carpet";
-  hidden.note(strip(picture, false), nowhere, nowhere, picture.pixels(false), there, near);
-  hidden.note(strip(dark), middle, nowhere, dark.pixels(), there, near);
+  hidden.note(strip(picture, false), nowhere, {}, picture.pixels(false), there, near);
+  hidden.note(strip(dark), middle, {}, dark.pixels(), there, near);
   EXPECT_FALSE(hidden.spots().empty()) << "it has come";
 }
 
 TEST(HiddenFloor, ItIsLeftBehindThoughTFIsAPictureLate) {
   HiddenFloor hidden = noted();
   Picture past, picture;
-  hidden.note(strip(picture), middle, nowhere, past.pixels(false), looking(), near);
+  hidden.note(strip(picture), middle, {}, past.pixels(false), looking(), near);
   EXPECT_FALSE(hidden.left_behind(looking(0.1).camera).empty()) << "the camera had turned by the latest one";
 }
 
@@ -139,7 +139,7 @@ TEST(HiddenFloor, ItIsLeftBehindByACameraThatTurnsSlowly) {
   for (double up = 0.0; up < 0.03; up += 0.004) {
     const Gaze gaze = looking(up);
     left += hidden.left_behind(gaze.camera).size();
-    hidden.note(strip(picture), middle, nowhere, picture.pixels(), gaze, near);
+    hidden.note(strip(picture), middle, {}, picture.pixels(), gaze, near);
   }
   EXPECT_GT(left, 0U);
 }
@@ -147,13 +147,12 @@ TEST(HiddenFloor, ItIsLeftBehindByACameraThatTurnsSlowly) {
 TEST(HiddenFloor, ItHasGoneOnceThreePicturesOfACameraThatRestsShowTheFloor) {
   HiddenFloor hidden = noted();
   Picture picture;
-  for (int i = 0; i < 2; ++i)
-    hidden.note(strip(picture, false), nowhere, nowhere, picture.pixels(false), looking(), near);
+  for (int i = 0; i < 2; ++i) hidden.note(strip(picture, false), nowhere, {}, picture.pixels(false), looking(), near);
   EXPECT_FALSE(hidden.spots().empty());
   EXPECT_FALSE(hidden.may_be_there()) << "of a camera that never turned, one picture is enough";
-  hidden.note(strip(picture, false), nowhere, nowhere, picture.pixels(false), looking(0.008), near);
+  hidden.note(strip(picture, false), nowhere, {}, picture.pixels(false), looking(0.008), near);
   EXPECT_TRUE(hidden.may_be_there()) << "it turns";
-  hidden.note(strip(picture, false), nowhere, nowhere, picture.pixels(false), looking(0.008), near);
+  hidden.note(strip(picture, false), nowhere, {}, picture.pixels(false), looking(0.008), near);
   EXPECT_TRUE(hidden.spots().empty());
   EXPECT_FALSE(hidden.may_be_there());
 }
