@@ -9,12 +9,25 @@ namespace safety_control_cloud {
 constexpr std::size_t cache_line = 64;     ///< [byte]
 constexpr std::size_t memory_page = 4096;  ///< [byte]
 
+/// Whether the processor asks early enough by itself for the lines of a page that it has found, while little is done
+/// with them: what else asks for them then takes places that it needs. So it is with AMD's: a Zen 4 looks at a cloud in
+/// 0.9 of the time of reading it if it is only told the pages, and in 1.1 if each line is asked for too. With Intel's
+/// it is the other way about.
+inline const bool asks_early_itself = [] {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_cpu_init();
+  return __builtin_cpu_is("amd") != 0;
+#else
+  return false;
+#endif
+}();
+
 /// Asks for a line that will be read in a while, into the outer cache, which can ask for more at once than the inner.
 /// Where nothing lies it does no harm.
 [[gnu::always_inline]] inline void fetch_line(const std::uint8_t* from) { __builtin_prefetch(from, 0, 2); }
 
-/// The same for the bytes that come up, where a cloud is read from end to end: the processor sees that by itself, but
-/// asks too late, and not across the end of a page.
+/// The same for the bytes that come up, where a cloud is read from end to end: most processors see that by themselves,
+/// but ask too late, and none across the end of a page.
 [[gnu::always_inline]] inline void fetch_early(const std::uint8_t* from, std::size_t size) {
   constexpr std::size_t distance = 6144;
   for (std::size_t i = 0; i < size; i += cache_line) fetch_line(from + distance + i);

@@ -169,6 +169,20 @@ HWY_INLINE hn::Vec<Bytes> order_in(const CloudView& view, std::size_t lowest) {
   return hn::LoadDup128(Bytes(), order);
 }
 
+/// The same points, of which nothing is asked for.
+template <class Source>
+struct NotFetched : Source {
+  HWY_INLINE void fetch(std::size_t, std::size_t) const {}
+};
+
+template <class Source, class Visitor>
+void visit_fetched(const Source& points, std::size_t size, Visitor& visitor) {
+  if constexpr (Visitor::is_quick) {
+    if (asks_early_itself) return visit_points(NotFetched<Source>{points}, size, 0, visitor);
+  }
+  visit_points(points, size, 0, visitor);
+}
+
 #endif
 
 /// Lets the visitor take the points of one row of a cloud, the fastest way that the layout allows. `followed` as in
@@ -187,15 +201,15 @@ void visit(const CloudView& points, [[maybe_unused]] bool followed, Visitor& vis
     visited = (points.width - (followed ? 0 : 1)) / Visitor::at_once * Visitor::at_once;
     const std::uint8_t* first = points.bytes + lowest;
     if (plain && points.point_step == 12) {
-      visit_points(Packed{first}, visited, 0, visitor);
+      visit_fetched(Packed{first}, visited, visitor);
     } else if (plain && points.point_step == 16) {
-      visit_points(Stepped<16>{first}, visited, 0, visitor);
+      visit_fetched(Stepped<16>{first}, visited, visitor);
     } else if (plain && points.point_step == 20) {
-      visit_points(Stepped<20>{first}, visited, 0, visitor);
+      visit_fetched(Stepped<20>{first}, visited, visitor);
     } else if (plain && points.point_step == 32) {
-      visit_points(Stepped<32>{first}, visited, 0, visitor);
+      visit_fetched(Stepped<32>{first}, visited, visitor);
     } else {
-      visit_points(Near{first, points.point_step, order_in(points, lowest)}, visited, 0, visitor);
+      visit_fetched(Near{first, points.point_step, order_in(points, lowest)}, visited, visitor);
     }
   }
 #endif

@@ -21,6 +21,7 @@ namespace {
 template <class Placing>
 struct Gathering {
   static constexpr std::size_t at_once = lanes;
+  static constexpr bool is_quick = false;
 
   Walls walls;
   Bounds bounds;
@@ -52,6 +53,7 @@ struct Gathering {
 template <class Count, class Gather>
 struct Both {
   static constexpr std::size_t at_once = lanes;
+  static constexpr bool is_quick = false;
 
   Count counting;
   Gather gathering;

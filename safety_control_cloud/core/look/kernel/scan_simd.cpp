@@ -37,6 +37,7 @@ static_assert(lanes <= Inside::longest_vector && lanes <= Places::longest_vector
 template <class Placing>
 struct Counting {
   static constexpr std::size_t at_once = lanes;
+  static constexpr bool is_quick = true;
 
   Walls walls;
   Placing place;
@@ -72,6 +73,7 @@ struct Counting {
 /// Counts the points that are too close. Most clouds have none, and are spared this.
 struct CountingTooClose {
   static constexpr std::size_t at_once = lanes;
+  static constexpr bool is_quick = false;
 
   Walls walls;
   bool anywhere;
@@ -92,6 +94,7 @@ struct CountingTooClose {
 template <class Placing>
 struct Listing {
   static constexpr std::size_t at_once = lanes;
+  static constexpr bool is_quick = false;
 
   Walls walls;
   Placing place;

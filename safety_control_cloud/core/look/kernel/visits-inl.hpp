@@ -50,7 +50,8 @@ struct Copied {
 
 /// Lets the visitor take `size` points, which stand `shift` columns into the run, and NaN to the end of a vector that
 /// they do not fill, as in Copied. A function of its own, so that the compiler keeps what the visitor counts in
-/// registers; only that is written back, for a row of a picture is soon over.
+/// registers; only that is written back, for a row of a picture is soon over. `is_quick` of a visitor: it takes points
+/// faster than the memory brings them.
 template <class Source, class Visitor>
 HWY_NOINLINE void visit_points(const Source& points, std::size_t size, std::size_t shift, Visitor& visitor) {
   Visitor local = visitor;
