@@ -58,3 +58,17 @@ def test_what_leaves_the_picture_of_a_fast_head_has_not_vanished():
         camera = placing(CAMERA, np.radians(degrees))
         decision = control.decide(picture(camera, (board,) if is_there else (), random), now=i / RATE, camera=camera)
     assert decision.speed > 0.0, decision.reason
+
+
+@pytest.mark.parametrize("dropped", [0.15, 0.4])
+@pytest.mark.parametrize("degrees", [3, 12])
+def test_an_empty_floor_from_which_the_head_tilts_up_in_low_light_is_not_hidden(degrees, dropped):
+    random = np.random.default_rng(0)
+    control = core.SafetyControl(SETTINGS)
+    for now in np.arange(0.0, 12.0, 1 / RATE):
+        camera = placing(CAMERA, up=np.radians(degrees) * np.clip(now - 2 * AFTER, 0.0, 1.0))
+        cloud = picture(camera, ROOM, random)
+        cloud[random.random(cloud.shape[:2]) < dropped] = np.nan
+        decision = control.decide(cloud, now=now, camera=camera)
+        if now > AFTER:
+            assert decision.speed > 0.0, f"after {now:.2f} s: {decision.reason}"

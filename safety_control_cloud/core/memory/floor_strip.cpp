@@ -85,6 +85,11 @@ void FloorStrip::survey(const NearGround& ground, const Patience& patience) {
   note_blank();
 }
 
+std::size_t FloorStrip::rows_to_read() const {
+  const auto shows_any = [](Code lowest) { return lowest > 0; };
+  return static_cast<std::size_t>(std::find_if(lowest_.rbegin(), lowest_.rend(), shows_any).base() - lowest_.begin());
+}
+
 /// Of a few columns together, no wider than a post: of fewer pixels, chance blanks too many.
 void FloorStrip::note_blank() {
   for (std::uint8_t& clouds : blank_lately_) clouds = static_cast<std::uint8_t>(clouds - (clouds > 0));

@@ -40,6 +40,8 @@ class FloorStrip {
   void survey(const NearGround& ground, const Patience& patience = {});
 
   const std::vector<std::size_t>& rows() const { return rows_; }  ///< of the picture, in which it lies
+  /// So many of those that NearGround counts may show it.
+  std::size_t rows_to_read() const;
   std::size_t columns() const { return shown_.size(); }
   Column column(std::size_t i) const { return {shown_[i], i < first_ || i >= last_ ? foot_[i] : foot_[i] + blank_[i]}; }
 

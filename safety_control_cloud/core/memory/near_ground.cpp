@@ -37,7 +37,7 @@ bool NearGround::read_row(const Pixels& picture, const Outlook& outlook, float d
   return shows_[number];
 }
 
-void NearGround::look_at(const Pixels& picture, const Outlook& outlook, float distance) {
+void NearGround::look_at(const Pixels& picture, const Outlook& outlook, float distance, std::size_t rows_to_read) {
   height_ = picture.height();
   distance_ = distance;
   row_step_ = std::max<std::size_t>(1, height_ / most_rows);
@@ -52,13 +52,13 @@ void NearGround::look_at(const Pixels& picture, const Outlook& outlook, float di
   bool begun = false;
   std::size_t gap = 0;
   for (rows_ = 0; rows_ < all && gap < longest_gap; ++rows_) {
-    const bool sure = begun && gap == 0;
-    if (!begun && rows_ % probe > 0) {  // as the row before, unless one behind it shows ground
+    const bool whole = rows_ < rows_to_read || (begun && gap == 0);
+    if (!whole && !begun && rows_ % probe > 0) {  // as the row before, unless one behind it shows ground
       std::copy_n(row(rows_ - 1), columns_, row(rows_));
       continue;
     }
-    const bool shown = read_row(picture, outlook, distance, rows_, sure ? Columns::All : Columns::Probes);
-    for (std::size_t i = begun ? rows_ : rows_ - std::min(rows_, probe - 1); shown && !sure && i <= rows_; ++i) {
+    const bool shown = read_row(picture, outlook, distance, rows_, whole ? Columns::All : Columns::Probes);
+    for (std::size_t i = begun ? rows_ : rows_ - std::min(rows_, probe - 1); shown && !whole && i <= rows_; ++i) {
       read_row(picture, outlook, distance, i, Columns::All);
     }
     begun = begun || shown;

@@ -29,8 +29,9 @@ class NearGround {
   /// From one column that is read of a picture as wide as this to the next.
   static std::size_t column_step_of(std::size_t width) { return std::max<std::size_t>(1, width / most_columns); }
 
-  /// Nearer than `distance` [m] ahead of the camera is near.
-  void look_at(const Pixels& picture, const Outlook& outlook, float distance);
+  /// Nearer than `distance` [m] ahead of the camera is near. Of `rows_to_read` from the lowest up all columns are read,
+  /// whatever they show: each for itself may return nothing, by chance.
+  void look_at(const Pixels& picture, const Outlook& outlook, float distance, std::size_t rows_to_read);
 
   std::size_t rows() const { return rows_; }  ///< that were read
   std::size_t columns() const { return columns_; }

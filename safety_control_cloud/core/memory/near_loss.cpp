@@ -96,7 +96,7 @@ void NearLoss::note_blind(const View& view, const Sight& sight, const Outlook& o
 
 bool NearLoss::note_picture(const View& view, const Sight& sight, const Outlook& outlook) {
   const Pixels picture = framed(view, outlook);
-  ground_.look_at(picture, outlook, near_distance());
+  ground_.look_at(picture, outlook, near_distance(), floor_.rows_to_read());
   const bool any =
       shows_near(sight, outlook) && note({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels});
   low_.note(ground_);
@@ -114,7 +114,7 @@ NearLoss::InRaster NearLoss::look_at_raster(const View& raster, const Outlook& o
   Pixels picture(raster, outlook.corridor.range_min, hits, usual);
   picture.frame(raster_.framing());
   move_to({picture.width(), picture.height(), raster_.rays()});
-  ground_.look_at(picture, outlook, near_distance());
+  ground_.look_at(picture, outlook, near_distance(), floor_.rows_to_read());
   return {picture, look(raster, outlook, Crop::Skip, Rows::Apart),
           std::min(least_pixels, 1 + raster_.filled() / pixels_of_few)};
 }
@@ -146,7 +146,7 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
                                               const Patience& patience) {
   Pixels picture = framed(view, outlook);
   picture.frame(margins_.note(picture));
-  ground_.look_at(picture, outlook, near_distance());
+  ground_.look_at(picture, outlook, near_distance(), floor_.rows_to_read());
   remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels}, 1, patience);
   const auto low = low_.judge(ground_, picture, outlook, patience);
   const auto thing = nearest_loss(things_.things(), outlook, kept());

@@ -124,6 +124,21 @@ int clouds_until_it_stands(Robot& robot, const Scene& hidden, double dropped, do
   return before;
 }
 
+/// Up a ramp, or with a head that looks up: as many of its rows are asked, and all of their pixels.
+TEST(FloorStrip, RobotDrivesOverAnEmptyFloorThatIsNotNearAnyMoreInLowLightAndStandsForWhatHidesIt) {
+  for (const float nose_up : {0.08f, 0.15f}) {
+    for (const double dropped : {0.05, 0.15, 0.3, 0.5}) {
+      std::mt19937 random(1);
+      Robot robot;
+      for (int i = 0; i < 30; ++i) robot.sees(Scene().drop(dropped, random));
+      for (int i = 0; i < 200; ++i)
+        ASSERT_GT(robot.sees(Scene({}, nose_up).drop(dropped, random)).speed, 0.0) << nose_up << ", " << dropped;
+      const Scene hidden({post(0.33f, 0.0f, 0.1f)}, nose_up);
+      EXPECT_LT(clouds_until_it_stands(robot, hidden, dropped, 0.0, random), 10) << nose_up << ", " << dropped;
+    }
+  }
+}
+
 TEST(FloorStrip, RobotStandsForWhatSlidesInTooNearToBeSeenThoughLowLightBlanksTheFloorByChance) {
   for (const float nose_up : {0.0f, 0.01f}) {
     for (const float width : {0.025f, 0.1f}) {

@@ -39,7 +39,7 @@ struct Picture {
 /// As it shows one picture of a camera that looks ahead.
 FloorStrip strip(Picture picture, bool hidden = true) {
   NearGround ground;
-  ground.look_at(picture.pixels(hidden), looking().outlook, 0.75f);
+  ground.look_at(picture.pixels(hidden), looking().outlook, 0.75f, 0);
   FloorStrip floor;
   floor.survey(ground);
   return floor;
