@@ -188,8 +188,10 @@ void GuardSensor::note_picture_from(const Outlook& outlook, const Pose2& pose, d
 
 void GuardSensor::explain_loss(const std::vector<KnownPlace>& known, double time, double now) {
   const Loss* lost = loss();
-  is_explained_ = lost && pose_ && lost_.are_among(known, *pose_, taken_->eye, time, now) &&
-                  hides(known, lost->covered, taken_->field, own_.near_loss.blind_range);
+  const double blind_range = own_.near_loss.blind_range;
+  is_explained_ = lost && pose_ && !lost_.have_moved(known, *pose_, taken_->outlook, taken_->field, blind_range) &&
+                  lost_.are_among(known, *pose_, taken_->eye, time, now) &&
+                  hides(known, lost->covered, taken_->field, blind_range);
   note_loss();
 }
 

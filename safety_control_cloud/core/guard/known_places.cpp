@@ -25,6 +25,12 @@ constexpr double going = 0.3;  ///< [s] in which a thing goes out of sight, show
 constexpr double same =
     0.025;  ///< [m] beside what is shown since: no more of a thing is lost than its shown rest hides
 
+constexpr double step =
+    0.1;  ///< [m] by which a thing comes nearer between two pictures, at most (memory/near_loss.cpp)
+constexpr double noise = 0.005;     ///< [m] of a camera so near
+constexpr double advance = 0.02;    ///< [m] in which a robot's way since, and the stamps, may be off by as much
+constexpr double at_border = 0.05;  ///< [1] of x/z and y/z: what rests there may have left the picture
+
 constexpr std::size_t most_pictures = 600;  ///< half a minute of a fast camera: what is kept longer is forgotten
 
 using Parts = std::array<bool, parts>;
@@ -94,6 +100,30 @@ void LostSpots::note(const std::vector<LostSpot>& lost, double now) {
 void LostSpots::forget_places() {
   pictures_.clear();
   for (auto& [seen, lost] : spots_) lost.place.reset();
+}
+
+bool LostSpots::have_moved(const std::vector<KnownPlace>& known, const Pose2& pose, const Outlook& camera,
+                           const FieldOfView& field, double blind_range) const {
+  const SeenAfter seen_after(pose);
+  const auto within = [](double at, double a, double b) {
+    return at > std::min(a, b) + at_border && at < std::max(a, b) - at_border;
+  };
+  const auto has_moved = [&](const auto& spot) {
+    const auto& [seen, lost] = spot;
+    if (!lost.place) return false;
+    const Point2 here = seen_after(*lost.place);
+    const Point there = camera.seen_from_camera(in_corridor_axes(here, lost.height));
+    const double least = blind_range + noise + std::clamp(double{seen[2]} - double{there.z}, 0.0, advance);
+    const bool would_be_seen = there.z > least && there.z < blind_range + step &&
+                               within(there.x / there.z, field.left, field.right) &&
+                               within(there.y / there.z, field.top, field.bottom);
+    return would_be_seen && std::none_of(known.begin(), known.end(), [&, &lost = lost](const KnownPlace& one) {
+             return one.shown_at > lost.since && length_of(one.place - here) <= same &&
+                    std::abs(one.height - lost.height) <= above;
+           });
+  };
+  const auto moved = std::count_if(spots_.begin(), spots_.end(), has_moved);
+  return static_cast<double>(moved) > (1.0 - nearly_all) * static_cast<double>(spots_.size());
 }
 
 bool LostSpots::are_among(const std::vector<KnownPlace>& known, const Pose2& pose, const Eye& eye, double time,

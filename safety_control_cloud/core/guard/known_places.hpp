@@ -59,6 +59,12 @@ class LostSpots {
   bool are_among(const std::vector<KnownPlace>& known, const Pose2& pose, const Eye& eye, double time,
                  double now) const;
 
+  /// Whether the camera of a robot at `pose` would see some of them if they rested where they were, a little beyond its
+  /// `blind_range` [m], and nothing is known to have been shown there since: they have moved, and may have come nearer
+  /// than it sees.
+  bool have_moved(const std::vector<KnownPlace>& known, const Pose2& pose, const Outlook& camera,
+                  const FieldOfView& field, double blind_range) const;
+
  private:
   struct Lost {
     std::optional<Point2> place;

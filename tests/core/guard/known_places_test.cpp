@@ -174,6 +174,26 @@ TEST(LostSpots, WhatWalkedIntoTheBlindZoneIsNotKnownByItsTrail) {
   EXPECT_EQ(robot.wants(about).factor, 0.0);
 }
 
+/// A camera that rests goes on seeing what rests where it sees.
+TEST(LostSpots, WhatRestedRightBeyondTheBlindRangeAndThenCameNearerIsNotKnownToRestThere) {
+  for (const float rested : {0.41f, 0.42f, 0.44f}) {
+    for (const float came_to : {0.26f, 0.34f}) {
+      RobotWithOdometry robot;
+      const auto board = [](float at) {
+        return Scene({{at, -0.06f, 0.06f, -0.05f, 0.08f}, {2.5f, -9.0f, 9.0f, -9.0f, floor_y}});
+      };
+      for (float at = 1.2f; at > rested; at -= 0.03f) robot.passes(0.05, board(at));
+      robot.passes(1.0, board(rested));
+      EXPECT_EQ(robot.wants(about).factor, 1.0) << rested;
+      robot.passes(1.0, board(came_to));
+      EXPECT_EQ(robot.wants(ahead).factor, 0.0) << rested << ", " << came_to;
+      EXPECT_EQ(robot.wants(ahead).cause, Cause::NearLoss) << rested << ", " << came_to;
+      robot.passes(1.0, wall_at(2.5f));
+      EXPECT_EQ(robot.wants(ahead).factor, 1.0) << rested << ", " << robot.wants(ahead).reason;
+    }
+  }
+}
+
 TEST(LostSpots, WhatMayMoveIsNotKnownForLong) {
   Settings settings = remembering();
   settings.obstacle_speed = 0.3;
