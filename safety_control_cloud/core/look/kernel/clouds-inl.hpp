@@ -169,20 +169,6 @@ HWY_INLINE hn::Vec<Bytes> order_in(const CloudView& view, std::size_t lowest) {
   return hn::LoadDup128(Bytes(), order);
 }
 
-/// The same points, of which nothing is asked for.
-template <class Source>
-struct NotFetched : Source {
-  HWY_INLINE void fetch(std::size_t, std::size_t) const {}
-};
-
-template <class Source, class Visitor>
-void visit_fetched(const Source& points, std::size_t size, Visitor& visitor) {
-  if constexpr (Visitor::is_quick) {
-    if (asks_early_itself) return visit_points(NotFetched<Source>{points}, size, 0, visitor);
-  }
-  visit_points(points, size, 0, visitor);
-}
-
 #endif
 
 /// Lets the visitor take the points of one row of a cloud, the fastest way that the layout allows. `followed` as in
@@ -198,7 +184,7 @@ void visit(const CloudView& points, [[maybe_unused]] bool followed, Visitor& vis
   const bool near = points.point_step >= 3 * sizeof(float) && end - lowest <= block_size;
   if (near && points.is_of_floats()) {
     // The last point of the cloud must be copied: its block may end beyond the data.
-    visited = (points.width - (followed ? 0 : 1)) / Visitor::at_once * Visitor::at_once;
+    visited = (points.width - (followed ? 0 : 1)) / lanes * lanes;
     const std::uint8_t* first = points.bytes + lowest;
     if (plain && points.point_step == 12) {
       visit_fetched(Packed{first}, visited, visitor);

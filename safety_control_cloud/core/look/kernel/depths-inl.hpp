@@ -87,7 +87,7 @@ void visit(const DepthView& row, bool, Visitor& visitor) {
   std::size_t visited = 0;
 #if HWY_TARGET != HWY_SCALAR
   if (!row.swapped) {
-    visited = row.width / Visitor::at_once * Visitor::at_once;
+    visited = row.width / lanes * lanes;
     if (row.depth == Depth::Millimetres) {
       visit_points(Depths<InMillimetres>(row, Rays(row)), visited, 0, visitor);
     } else if (row.minus_inf == MinusInf::TooClose) {

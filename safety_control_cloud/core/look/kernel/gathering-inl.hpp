@@ -20,9 +20,6 @@ namespace {
 /// Lists where the returns in a region lie.
 template <class Placing>
 struct Gathering {
-  static constexpr std::size_t at_once = lanes;
-  static constexpr bool is_quick = false;
-
   Walls walls;
   Bounds bounds;
   Placing place;
@@ -52,9 +49,6 @@ struct Gathering {
 /// Counts and gathers the same points, which are loaded once.
 template <class Count, class Gather>
 struct Both {
-  static constexpr std::size_t at_once = lanes;
-  static constexpr bool is_quick = false;
-
   Count counting;
   Gather gathering;
 

@@ -36,9 +36,6 @@ static_assert(lanes <= Inside::longest_vector && lanes <= Places::longest_vector
 /// Counts, and finds the nearest.
 template <class Placing>
 struct Counting {
-  static constexpr std::size_t at_once = lanes;
-  static constexpr bool is_quick = true;
-
   Walls walls;
   Placing place;
   Tally<Integers> returns, inside;
@@ -70,11 +67,11 @@ struct Counting {
   }
 };
 
+template <class Placing>
+constexpr bool is_quick<Counting<Placing>> = true;
+
 /// Counts the points that are too close. Most clouds have none, and are spared this.
 struct CountingTooClose {
-  static constexpr std::size_t at_once = lanes;
-  static constexpr bool is_quick = false;
-
   Walls walls;
   bool anywhere;
   Tally<Integers> too_close;
@@ -93,9 +90,6 @@ struct CountingTooClose {
 /// Lists the columns inside.
 template <class Placing>
 struct Listing {
-  static constexpr std::size_t at_once = lanes;
-  static constexpr bool is_quick = false;
-
   Walls walls;
   Placing place;
   Inside* found;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "../../input/fetch.hpp"
 #include "../../input/point_reader.hpp"
 #include "../../input/runs.hpp"
 #include "vectors-inl.hpp"
@@ -50,16 +51,33 @@ struct Copied {
 
 /// Lets the visitor take `size` points, which stand `shift` columns into the run, and NaN to the end of a vector that
 /// they do not fill, as in Copied. A function of its own, so that the compiler keeps what the visitor counts in
-/// registers; only that is written back, for a row of a picture is soon over. `is_quick` of a visitor: it takes points
-/// faster than the memory brings them.
+/// registers; only that is written back, for a row of a picture is soon over.
 template <class Source, class Visitor>
 HWY_NOINLINE void visit_points(const Source& points, std::size_t size, std::size_t shift, Visitor& visitor) {
   Visitor local = visitor;
-  for (std::size_t column = 0; column < size; column += Visitor::at_once) {
-    points.fetch(column, Visitor::at_once);
+  for (std::size_t column = 0; column < size; column += lanes) {
+    points.fetch(column, lanes);
     local.take(points, column, shift + column);
   }
   visitor.go_on_from(local);
+}
+
+/// Whether a visitor takes points faster than the memory brings them.
+template <class Visitor>
+constexpr bool is_quick = false;
+
+/// The same points, of which nothing is asked for.
+template <class Source>
+struct NotFetched : Source {
+  HWY_INLINE void fetch(std::size_t, std::size_t) const {}
+};
+
+template <class Source, class Visitor>
+void visit_fetched(const Source& points, std::size_t size, Visitor& visitor) {
+  if constexpr (is_quick<Visitor>) {
+    if (asks_early_itself) return visit_points(NotFetched<Source>{points}, size, 0, visitor);
+  }
+  visit_points(points, size, 0, visitor);
 }
 
 template <class Row, class Visitor>
