@@ -25,8 +25,6 @@ constexpr double going = 0.3;  ///< [s] in which a thing goes out of sight, show
 constexpr double same =
     0.025;  ///< [m] beside what is shown since: no more of a thing is lost than its shown rest hides
 
-constexpr double step =
-    0.1;  ///< [m] by which a thing comes nearer between two pictures, at most (memory/near_loss.cpp)
 constexpr double noise = 0.005;     ///< [m] of a camera so near
 constexpr double advance = 0.02;    ///< [m] in which a robot's way since, and the stamps, may be off by as much
 constexpr double at_border = 0.05;  ///< [1] of x/z and y/z: what rests there may have left the picture
@@ -34,9 +32,42 @@ constexpr double at_border = 0.05;  ///< [1] of x/z and y/z: what rests there ma
 constexpr std::size_t most_pictures = 600;  ///< half a minute of a fast camera: what is kept longer is forgotten
 
 using Parts = std::array<bool, parts>;
-using Cell = std::pair<long, long>;
 
-Cell cell_of(const Point2& place) { return {std::lround(place.x / beside), std::lround(place.y / beside)}; }
+/// Found by where they are.
+class KnownByCell {
+ public:
+  explicit KnownByCell(const std::vector<KnownPlace>& known) {
+    for (const KnownPlace& one : known) in_cell_[cell_of(one.place)].push_back(&one);
+  }
+
+  /// Whether any of those beside a place, about as high [m], tells so.
+  template <class Tells>
+  bool any_beside(const Point2& here, double height, Tells tells) const {
+    const auto does = [&](const KnownPlace* one) { return std::abs(one->height - height) <= above && tells(*one); };
+    const auto [x, y] = cell_of(here);
+    for (const long ahead : {-1, 0, 1}) {
+      for (const long left : {-1, 0, 1}) {
+        const auto cell = in_cell_.find({x + ahead, y + left});
+        if (cell != in_cell_.end() && std::any_of(cell->second.begin(), cell->second.end(), does)) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  using Cell = std::pair<long, long>;
+
+  static Cell cell_of(const Point2& place) { return {std::lround(place.x / beside), std::lround(place.y / beside)}; }
+
+  std::map<Cell, std::vector<const KnownPlace*>> in_cell_;
+};
+
+/// Less its border, whichever way its columns and rows run.
+FieldOfView inside_of(const FieldOfView& field) {
+  const auto [left, right] = std::minmax(field.left, field.right);
+  const auto [top, bottom] = std::minmax(field.top, field.bottom);
+  return {left + at_border, right - at_border, top + at_border, bottom - at_border};
+}
 
 std::size_t part_at(double share) {
   return static_cast<std::size_t>(std::clamp(std::floor(share * parts), 0.0, static_cast<double>(parts - 1)));
@@ -105,46 +136,36 @@ void LostSpots::forget_places() {
 bool LostSpots::have_moved(const std::vector<KnownPlace>& known, const Pose2& pose, const Outlook& camera,
                            const FieldOfView& field, double blind_range) const {
   const SeenAfter seen_after(pose);
-  const auto within = [](double at, double a, double b) {
-    return at > std::min(a, b) + at_border && at < std::max(a, b) - at_border;
-  };
-  const auto has_moved = [&](const auto& spot) {
-    const auto& [seen, lost] = spot;
-    if (!lost.place) return false;
+  const FieldOfView inside = inside_of(field);
+  std::vector<std::pair<Point2, const Lost*>> expected;
+  for (const auto& [seen, lost] : spots_) {
+    if (!lost.place) continue;
     const Point2 here = seen_after(*lost.place);
     const Point there = camera.seen_from_camera(in_corridor_axes(here, lost.height));
     const double least = blind_range + noise + std::clamp(double{seen[2]} - double{there.z}, 0.0, advance);
-    const bool would_be_seen = there.z > least && there.z < blind_range + step &&
-                               within(there.x / there.z, field.left, field.right) &&
-                               within(there.y / there.z, field.top, field.bottom);
-    return would_be_seen && std::none_of(known.begin(), known.end(), [&, &lost = lost](const KnownPlace& one) {
-             return one.shown_at > lost.since && length_of(one.place - here) <= same &&
-                    std::abs(one.height - lost.height) <= above;
-           });
+    if (there.z > least && there.z < blind_range + step_nearer && inside.holds(there))
+      expected.push_back({here, &lost});
+  }
+  const double some = (1.0 - nearly_all) * static_cast<double>(spots_.size());
+  if (static_cast<double>(expected.size()) <= some) return false;
+  const KnownByCell by_cell(known);
+  const auto is_not_shown = [&](const auto& one) {
+    const auto& [here, lost] = one;
+    return !by_cell.any_beside(here, lost->height, [&, &here = here, &lost = lost](const KnownPlace& shown) {
+      return shown.shown_at > lost->since && length_of(shown.place - here) <= same;
+    });
   };
-  const auto moved = std::count_if(spots_.begin(), spots_.end(), has_moved);
-  return static_cast<double>(moved) > (1.0 - nearly_all) * static_cast<double>(spots_.size());
+  return static_cast<double>(std::count_if(expected.begin(), expected.end(), is_not_shown)) > some;
 }
 
 bool LostSpots::are_among(const std::vector<KnownPlace>& known, const Pose2& pose, const Eye& eye, double time,
                           double now) const {
-  std::map<Cell, std::vector<const KnownPlace*>> known_in;
-  for (const KnownPlace& one : known)
-    if (one.off <= most_off) known_in[cell_of(one.place)].push_back(&one);
+  const KnownByCell by_cell(known);
   const SeenAfter seen_after(pose);
   const auto is_near_one = [&](const Point2& here, const Lost& lost) {
-    const auto tells = [&](const KnownPlace* one) {
-      if (std::abs(one->height - lost.height) > above) return false;
-      return one->shown_at <= lost.since + going || length_of(one->place - here) <= same;
-    };
-    const auto [x, y] = cell_of(here);
-    for (const long ahead : {-1, 0, 1}) {
-      for (const long left : {-1, 0, 1}) {
-        const auto beside = known_in.find({x + ahead, y + left});
-        if (beside != known_in.end() && std::any_of(beside->second.begin(), beside->second.end(), tells)) return true;
-      }
-    }
-    return false;
+    return by_cell.any_beside(here, lost.height, [&](const KnownPlace& one) {
+      return one.off <= most_off && (one.shown_at <= lost.since + going || length_of(one.place - here) <= same);
+    });
   };
   double known_ones = 0.0;
   for (const auto& [seen, lost] : spots_) {

@@ -18,9 +18,6 @@ namespace {
 /// is known of an obstacle.
 constexpr double margin = 1.04;
 
-/// So far a thing comes nearer between two clouds [m]: 2 m/s. Nearer to the blind range than this it must be kept.
-constexpr double step = 0.1;
-
 /// By so much farther than it is blind a sensor shows what is cut off [m]: noise, and what a robot that slows drives
 /// between two clouds.
 constexpr double cut_off = 0.05;
@@ -54,11 +51,11 @@ Rows NearLoss::rows_for(const View& view) const {
 /// [m] nearer than which the sensor sees nothing: as it is set, or as what vanished has shown.
 double NearLoss::blind_range() const { return std::max(limits_.blind_range, double{things_.blind_range()}); }
 
-/// [m] nearer than which a thing counts when it is lost.
+/// [m] nearer than which a thing counts when it is lost: at a step from the blind range it must be kept.
 double NearLoss::kept_distance() const {
-  return std::max({limits_.distance, limits_.blind_range + step, 1.1 * double{things_.blind_range()}});
+  return std::max({limits_.distance, limits_.blind_range + step_nearer, 1.1 * double{things_.blind_range()}});
 }
-KeptWithin NearLoss::kept() const { return {kept_distance(), blind_range() + step}; }
+KeptWithin NearLoss::kept() const { return {kept_distance(), blind_range() + step_nearer}; }
 float NearLoss::near_distance() const { return static_cast<float>(margin * kept_distance()); }
 float NearLoss::watched_distance() const { return static_cast<float>(watched * kept_distance()); }
 
@@ -96,7 +93,7 @@ void NearLoss::note_blind(const View& view, const Sight& sight, const Outlook& o
 
 bool NearLoss::note_picture(const View& view, const Sight& sight, const Outlook& outlook) {
   const Pixels picture = framed(view, outlook);
-  ground_.look_at(picture, outlook, near_distance(), floor_.rows_to_read());
+  look_at_ground(picture, outlook);
   const bool any =
       shows_near(sight, outlook) && note({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels});
   low_.note(ground_);
@@ -108,13 +105,17 @@ bool NearLoss::note_points(const View& view, const Outlook& outlook) {
   return note({shown.picture, outlook, shown.sight.nearest_in_rows, watched_distance(), shown.least_pixels});
 }
 
+void NearLoss::look_at_ground(const Pixels& picture, const Outlook& outlook) {
+  ground_.look_at(picture, outlook, near_distance(), floor_.rows_to_read());
+}
+
 /// In the frame that the raster has from then on.
 NearLoss::InRaster NearLoss::look_at_raster(const View& raster, const Outlook& outlook, const RayHits* hits,
                                             const UsualCells* usual) {
   Pixels picture(raster, outlook.corridor.range_min, hits, usual);
   picture.frame(raster_.framing());
   move_to({picture.width(), picture.height(), raster_.rays()});
-  ground_.look_at(picture, outlook, near_distance(), floor_.rows_to_read());
+  look_at_ground(picture, outlook);
   return {picture, look(raster, outlook, Crop::Skip, Rows::Apart),
           std::min(least_pixels, 1 + raster_.filled() / pixels_of_few)};
 }
@@ -146,7 +147,7 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
                                               const Patience& patience) {
   Pixels picture = framed(view, outlook);
   picture.frame(margins_.note(picture));
-  ground_.look_at(picture, outlook, near_distance(), floor_.rows_to_read());
+  look_at_ground(picture, outlook);
   remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels}, 1, patience);
   const auto low = low_.judge(ground_, picture, outlook, patience);
   const auto thing = nearest_loss(things_.things(), outlook, kept());

@@ -93,6 +93,7 @@ class NearLoss {
   };
 
   InRaster look_at_raster(const View& raster, const Outlook& outlook, const RayHits* hits, const UsualCells* usual);
+  void look_at_ground(const Pixels& picture, const Outlook& outlook);
   bool note(const NearSearch& search);
   void note_backdrop(const Pixels& picture, bool stands);
   Pixels framed(const View& view, const Outlook& outlook);
