@@ -3,26 +3,10 @@
 
 #include <vector>
 
-#include "robot_with_odometry.hpp"
+#include "driving_up.hpp"
 
 namespace safety_control_cloud {
 namespace {
-
-/// A robot that drives up to what is so far ahead of its camera until that is too near for it.
-void drives_up(RobotWithOdometry& robot, Scene (*at)(float)) {
-  constexpr float first = 0.8f, last = 0.36f, step = 0.01f;
-  for (float ahead = first; ahead >= last; ahead -= step) {
-    robot.passes(0.05, at(ahead));
-    robot.pose.place.x += double{step};
-  }
-  robot.pose.place.x -= double{step};
-  robot.passes(2.0, at(last));  // until it stands
-}
-
-Scene post_at(float ahead) { return Scene({post(ahead, 0.02f, 0.06f)}); }
-Scene board_at(float ahead) { return Scene({{ahead, -0.3f, 0.3f, -0.3f, 0.05f}}); }
-
-const Twist2 ahead{0.3, 0.0, 0.0}, about{0.0, 0.0, 1.0}, away{-0.05, 0.0, 0.3};
 
 TEST(LostSpots, WhatIsTooNearClosesOnlyTheWayThereIfItsPlaceIsKnown) {
   for (const auto& at : {post_at, board_at}) {
@@ -38,73 +22,6 @@ TEST(LostSpots, WhatIsTooNearClosesOnlyTheWayThereIfItsPlaceIsKnown) {
     EXPECT_EQ(without.wants(about).cause, Cause::NearLoss);
     EXPECT_EQ(without.wants(about).factor, 0.0);
   }
-}
-
-Scene wall_at(float ahead) { return Scene({{ahead, -9.0f, 9.0f, -9.0f, floor_y}}); }
-
-TEST(Blindness, BeforeAWallThatIsKnownClosesOnlyTheWayAhead) {
-  RobotWithOdometry robot, without;
-  without.has_odometry = false;
-  for (RobotWithOdometry* one : {&robot, &without}) drives_up(*one, wall_at);
-  EXPECT_GT(robot.wants(about).factor, 0.0) << robot.wants(about).reason;
-  EXPECT_GT(robot.wants(away).factor, 0.0) << robot.wants(away).reason;
-  const Guarded& answer = robot.wants({0.02, 0.0, 0.3});
-  EXPECT_EQ(answer.factor, 0.0);
-  EXPECT_EQ(answer.cause, Cause::Blind) << "somebody may have stepped between";
-  ASSERT_EQ(answer.doubts.size(), std::size_t{1});
-  EXPECT_NE(answer.doubts[0].find("BLIND"), std::string::npos) << answer.doubts[0];
-  EXPECT_EQ(without.wants(about).cause, Cause::Blind);
-  EXPECT_EQ(without.wants(about).factor, 0.0);
-}
-
-TEST(Blindness, OfWhichOnlyAPartIsKnownClosesAllButTheWayBack) {
-  RobotWithOdometry post, none;
-  drives_up(post, board_at);
-  none.passes(1.0, none.hall);
-  for (RobotWithOdometry* robot : {&post, &none}) {
-    robot->passes(0.3, wall_at(0.3f));
-    EXPECT_EQ(robot->wants(about).cause, Cause::Blind);
-    EXPECT_EQ(robot->wants(about).factor, 0.0);
-    EXPECT_EQ(robot->wants({-0.05, 0.0, 0.0}).factor, 1.0) << robot->wants({-0.05, 0.0, 0.0}).reason;
-  }
-}
-
-/// Over the wall's top a quarter of the picture returns: this is no camera that sees nothing for what it stands before.
-TEST(Blindness, OfACameraThatReturnsMuchIsOfAnotherCause) {
-  Settings settings = remembering();
-  settings.min_valid_ratio = 0.9;
-  RobotWithOdometry robot(settings);
-  drives_up(robot, [](float ahead) {
-    return Scene({{3.0f, -9.0f, 9.0f, -9.0f, floor_y}, {ahead, -9.0f, 9.0f, -0.08f, floor_y}});
-  });
-  EXPECT_EQ(robot.wants(about).cause, Cause::Blind);
-  EXPECT_EQ(robot.wants(about).factor, 0.0);
-}
-
-TEST(Blindness, OutlivesAChangeOfSettings) {
-  const Twist2 back{-0.05, 0.0, 0.0};
-  RobotWithOdometry robot, without;
-  without.has_odometry = false;
-  for (RobotWithOdometry* one : {&robot, &without}) {
-    drives_up(*one, wall_at);
-    one->control.adopt(remembering(1.4));
-    for (const Twist2& wish : {about, back}) EXPECT_EQ(one->wants(wish).cause, Cause::NoCloud);
-    one->passes(0.3, wall_at(0.36f));
-    EXPECT_EQ(one->wants(back).factor, 1.0) << one->wants(back).reason;
-    EXPECT_EQ(one->wants(ahead).factor, 0.0);
-  }
-  EXPECT_GT(robot.wants(about).factor, 0.0) << robot.wants(about).reason;
-  EXPECT_EQ(without.wants(about).factor, 0.0);
-}
-
-/// What is known lies before it no more, and it is dark still.
-TEST(Blindness, ThatGoesOnWhereTheWallIsNotIsOfAnotherCause) {
-  RobotWithOdometry robot;
-  drives_up(robot, wall_at);
-  ASSERT_GT(robot.wants(about).factor, 0.0);
-  robot.turns(quarter, wall_at(0.3f));
-  EXPECT_EQ(robot.wants(about).cause, Cause::Blind);
-  EXPECT_EQ(robot.wants(about).factor, 0.0);
 }
 
 /// Where it was when it was blind, nobody asked: by where it was before, this one were where another is known to be.
