@@ -47,14 +47,15 @@ def wooden(screen: np.ndarray) -> int:
     return int(((red > 90) & (red > 1.3 * green) & (green > 1.2 * blue)).sum())
 
 
-def wait_for(what: str, path: Path, seen) -> np.ndarray:
+def wait_for(what: str, path: Path, seen, rviz) -> np.ndarray:
+    """The screen. Fails at once where what launched `rviz` says that it has died."""
     end = time.monotonic() + PATIENCE
-    while time.monotonic() < end:
+    while time.monotonic() < end and "has died" not in rviz.output():
         screen = picture(path)
         if seen(screen):
             return screen
         time.sleep(1.0)
-    pytest.fail(f"{what} was not to be seen within {PATIENCE} s: {path}")
+    pytest.fail(f"{what} was not to be seen within {PATIENCE} s: {path}\n{rviz.output()}")
 
 
 def launch(file: str):
@@ -74,12 +75,12 @@ def test_rviz_shows_the_corridors_points_in_green_while_the_node_speaks_and_none
     monkeypatch.setenv("LIBGL_ALWAYS_SOFTWARE", "1")
     with virtual_screen(WIDTH, HEIGHT) as display, roscore():
         monkeypatch.setenv("DISPLAY", display)
-        with launch("turtlebot_world.launch"), launch_after_the_world("rviz.launch"):
-            screen = wait_for("the coloured cloud", tmp_path / "silent.png", lambda screen: wooden(screen) > 500)
+        with launch("turtlebot_world.launch"), launch_after_the_world("rviz.launch") as rviz:
+            screen = wait_for("the coloured cloud", tmp_path / "silent.png", lambda screen: wooden(screen) > 500, rviz)
             assert flat_green(screen) == 0
             with launch("safety_control.launch"):
                 screen = wait_for(
-                    "the corridor's points", tmp_path / "speaking.png", lambda screen: flat_green(screen) > 10_000)
+                    "the corridor's points", tmp_path / "speaking.png", lambda screen: flat_green(screen) > 10_000, rviz)
     print(f"{flat_green(screen)} pixels of #00FF00")
     PICTURE.parent.mkdir(exist_ok=True)
     shutil.copy(tmp_path / "speaking.png", PICTURE)
