@@ -188,11 +188,15 @@ void GuardSensor::note_picture_from(const Outlook& outlook, const Pose2& pose, d
 
 void GuardSensor::explain_loss(const std::vector<KnownPlace>& known, double time, double now) {
   const Loss* lost = loss();
-  const double blind_range = own_.near_loss.blind_range;
-  is_explained_ = lost && pose_ && !lost_.have_moved(known, *pose_, taken_->outlook, taken_->field, blind_range) &&
-                  lost_.are_among(known, *pose_, taken_->eye, time, now) &&
-                  hides(known, lost->covered, taken_->field, blind_range);
+  is_explained_ = lost && pose_ && is_known(*lost, known, time, now);
   note_loss();
+}
+
+/// Where all of that is.
+bool GuardSensor::is_known(const Loss& lost, const std::vector<KnownPlace>& known, double time, double now) const {
+  const Looking looking{*pose_, taken_->outlook, taken_->field, taken_->eye, own_.near_loss.blind_range};
+  return !lost_.have_moved(known, looking) && lost_.are_among(known, looking, time, now) &&
+         hides(known, lost.covered, looking.field, looking.blind_range);
 }
 
 std::optional<Outlook> GuardSensor::outlook_if_blind(const Placing& placing) const {

@@ -101,6 +101,7 @@ class GuardSensor {
 
   const Loss* loss() const;
   void note_loss();
+  bool is_known(const Loss& lost, const std::vector<KnownPlace>& known, double time, double now) const;
   Eye eye_on_what_is_lost() const;
   void face(const Reading& reading, const Placing& placing);
   Look take(const Reading& reading, const Origin& origin, const Outlook& outlook, const Instant& now,

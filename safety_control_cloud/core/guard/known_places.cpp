@@ -21,13 +21,14 @@ constexpr double beside = 0.04;        ///< [m] a spot may lie by as much to twi
 constexpr double above = 0.1;          ///< [m] or below: of so much, one height is kept (out_of_sight.cpp, layer)
 constexpr double nearly_all = 0.9;     ///< of the spots: some lie in the air behind an edge
 constexpr double most_off = 0.05;      ///< [m] what may lie farther from its place tells nothing
-constexpr double going = 0.3;  ///< [s] in which a thing goes out of sight, shown in one picture and not in the next
+constexpr double going = 0.3;    ///< [s] in which a thing goes out of sight, shown in one picture and not in the next
+constexpr double missed = 0.12;  ///< [s] without being shown, by more looks than noise takes it from
 constexpr double same =
     0.025;  ///< [m] beside what is shown since: no more of a thing is lost than its shown rest hides
 
-constexpr double noise = 0.005;     ///< [m] of a camera so near
-constexpr double advance = 0.02;    ///< [m] in which a robot's way since, and the stamps, may be off by as much
-constexpr double at_border = 0.05;  ///< [1] of x/z and y/z: what rests there may have left the picture
+constexpr double noise = 0.005;        ///< [m] of a camera so near
+constexpr double most_advance = 0.02;  ///< [m] in which a robot's way since, and the stamps, may be off by as much
+constexpr double at_border = 0.05;     ///< [1] of x/z and y/z: what rests there may have left the picture
 
 constexpr std::size_t most_pictures = 600;  ///< half a minute of a fast camera: what is kept longer is forgotten
 
@@ -62,12 +63,28 @@ class KnownByCell {
   std::map<Cell, std::vector<const KnownPlace*>> in_cell_;
 };
 
-/// Less its border, whichever way its columns and rows run.
-FieldOfView inside_of(const FieldOfView& field) {
-  const auto [left, right] = std::minmax(field.left, field.right);
-  const auto [top, bottom] = std::minmax(field.top, field.bottom);
-  return {left + at_border, right - at_border, top + at_border, bottom - at_border};
-}
+/// Beyond a camera's blind range by less than a thing comes nearer between two clouds: what rests there is shown.
+class JustBeyond {
+ public:
+  explicit JustBeyond(const Looking& looking)
+      : inside_(inside_of(looking.field)), from_(looking.blind_range + noise), to_(looking.blind_range + step_nearer) {}
+
+  /// `advance` [m]: as much nearer than it was.
+  bool holds(const Point& there, double advance) const {
+    return there.z > from_ + std::clamp(advance, 0.0, most_advance) && there.z < to_ && inside_.holds(there);
+  }
+
+ private:
+  /// Less its border, whichever way its columns and rows run.
+  static FieldOfView inside_of(const FieldOfView& field) {
+    const auto [left, right] = std::minmax(field.left, field.right);
+    const auto [top, bottom] = std::minmax(field.top, field.bottom);
+    return {left + at_border, right - at_border, top + at_border, bottom - at_border};
+  }
+
+  FieldOfView inside_;
+  double from_, to_;  ///< [m]
+};
 
 std::size_t part_at(double share) {
   return static_cast<std::size_t>(std::clamp(std::floor(share * parts), 0.0, static_cast<double>(parts - 1)));
@@ -133,18 +150,15 @@ void LostSpots::forget_places() {
   for (auto& [seen, lost] : spots_) lost.place.reset();
 }
 
-bool LostSpots::have_moved(const std::vector<KnownPlace>& known, const Pose2& pose, const Outlook& camera,
-                           const FieldOfView& field, double blind_range) const {
-  const SeenAfter seen_after(pose);
-  const FieldOfView inside = inside_of(field);
+bool LostSpots::have_moved(const std::vector<KnownPlace>& known, const Looking& looking) const {
+  const SeenAfter seen_after(looking.pose);
+  const JustBeyond just_beyond(looking);
   std::vector<std::pair<Point2, const Lost*>> expected;
   for (const auto& [seen, lost] : spots_) {
     if (!lost.place) continue;
     const Point2 here = seen_after(*lost.place);
-    const Point there = camera.seen_from_camera(in_corridor_axes(here, lost.height));
-    const double least = blind_range + noise + std::clamp(double{seen[2]} - double{there.z}, 0.0, advance);
-    if (there.z > least && there.z < blind_range + step_nearer && inside.holds(there))
-      expected.push_back({here, &lost});
+    const Point there = looking.camera.seen_from_camera(in_corridor_axes(here, lost.height));
+    if (just_beyond.holds(there, double{seen[2]} - double{there.z})) expected.push_back({here, &lost});
   }
   const double some = (1.0 - nearly_all) * static_cast<double>(spots_.size());
   if (static_cast<double>(expected.size()) <= some) return false;
@@ -158,13 +172,15 @@ bool LostSpots::have_moved(const std::vector<KnownPlace>& known, const Pose2& po
   return static_cast<double>(std::count_if(expected.begin(), expected.end(), is_not_shown)) > some;
 }
 
-bool LostSpots::are_among(const std::vector<KnownPlace>& known, const Pose2& pose, const Eye& eye, double time,
-                          double now) const {
+bool LostSpots::are_among(const std::vector<KnownPlace>& known, const Looking& looking, double time, double now) const {
   const KnownByCell by_cell(known);
-  const SeenAfter seen_after(pose);
-  const auto is_near_one = [&](const Point2& here, const Lost& lost) {
+  const SeenAfter seen_after(looking.pose);
+  const JustBeyond just_beyond(looking);
+  const auto is_near_one = [&](const Point2& here, const Lost& lost, double advance) {
     return by_cell.any_beside(here, lost.height, [&](const KnownPlace& one) {
-      return one.off <= most_off && (one.shown_at <= lost.since + going || length_of(one.place - here) <= same);
+      const bool has_gone = now - one.shown_at > missed && just_beyond.holds(one.seen_from_camera, advance);
+      const bool is_it = one.shown_at <= lost.since + going || length_of(one.place - here) <= same;
+      return one.off <= most_off && is_it && !has_gone;
     });
   };
   double known_ones = 0.0;
@@ -172,8 +188,9 @@ bool LostSpots::are_among(const std::vector<KnownPlace>& known, const Pose2& pos
     if (!lost.place) return false;
     const bool is_old = now - lost.since > time - going;  // it was shown last, so is forgotten, so much sooner
     const Point2 here = seen_after(*lost.place);
-    if (is_old && eye.sees(here)) return false;
-    if (is_old || is_near_one(here, lost)) ++known_ones;
+    if (is_old && looking.eye.sees(here)) return false;
+    const Point there = looking.camera.seen_from_camera(in_corridor_axes(here, lost.height));
+    if (is_old || is_near_one(here, lost, double{seen[2]} - double{there.z})) ++known_ones;
   }
   return known_ones >= nearly_all * static_cast<double>(spots_.size());
 }

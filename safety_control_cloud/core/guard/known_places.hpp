@@ -24,6 +24,15 @@ struct KnownPlace {
   double shown_at = 0.0;   ///< [s] steady, last
 };
 
+/// How a camera looks that has lost something.
+struct Looking {
+  Pose2 pose;  ///< of the robot
+  Outlook camera;
+  FieldOfView field;
+  Eye eye;
+  double blind_range;  ///< [m]
+};
+
 /// Whether what is known to stand nearer than the camera can see (`blind_range` [m] ahead of it) hides all of the near
 /// floor that is `covered`: then nothing else needs to stand there. Less than half a post's width may be left over, and
 /// `left_over` of the picture's width.
@@ -50,20 +59,17 @@ class LostSpots {
   /// Where they are, nobody knows any more: the frame is another one.
   void forget_places();
 
-  /// Whether nearly all of them are among what is known around a robot at `pose` and was shown last when they were, or
-  /// just where it has been shown since: the rest of a long thing, which is still shown, tells nothing of its end, but
-  /// a robot that backs off sees again what it had lost. None of them is of which nobody knows where it is, however
-  /// many others are: of what was lost before a restart few spots are left. After `time` [s], when places are
-  /// forgotten, none is known but what lies elsewhere than where the eye looks: one that is left would speak for
-  /// another beside it.
-  bool are_among(const std::vector<KnownPlace>& known, const Pose2& pose, const Eye& eye, double time,
-                 double now) const;
+  /// Whether nearly all of them are among what is known around a robot and was shown last when they were, or just where
+  /// it has been shown since: the rest of a long thing, which is still shown, tells nothing of its end, but a robot
+  /// that backs off sees again what it had lost. What would be shown if it still rested a little beyond the blind
+  /// range, and is not, tells nothing either. None of them is of which nobody knows where it is, however many others
+  /// are: of what was lost before a restart few spots are left. After `time` [s], when places are forgotten, none is
+  /// known but what lies elsewhere than where the eye looks: one that is left would speak for another beside it.
+  bool are_among(const std::vector<KnownPlace>& known, const Looking& looking, double time, double now) const;
 
-  /// Whether the camera of a robot at `pose` would see some of them if they rested where they were, a little beyond its
-  /// `blind_range` [m], and nothing is known to have been shown there since: they have moved, and may have come nearer
-  /// than it sees.
-  bool have_moved(const std::vector<KnownPlace>& known, const Pose2& pose, const Outlook& camera,
-                  const FieldOfView& field, double blind_range) const;
+  /// Whether the camera would see some of them if they rested where they were, a little beyond its blind range, and
+  /// nothing is known to have been shown there since: they have moved, and may have come nearer than it sees.
+  bool have_moved(const std::vector<KnownPlace>& known, const Looking& looking) const;
 
  private:
   struct Lost {

@@ -109,7 +109,8 @@ void OutOfSight::keep(const NearReturn& seen, double now, double off, const Heig
   if (found == places_.end() && places_.size() >= most) return;
   Place kept{seen.place.x, seen.place.y, seen.height, stands, looks_.latest(), now, now, off};
   if (found != places_.end()) {
-    kept.first_seen = found->second.first_seen;
+    // what is back where a look saw past it has been elsewhere
+    if (found->second.away == 0) kept.first_seen = found->second.first_seen;
     kept.looks = looks_of(found->second);
     const Place before = std::exchange(found->second, kept);
     if (before.drifted > well_placed && places_.size() < most) places_.insert_or_assign(key | elsewhere, before);

@@ -53,7 +53,7 @@ TEST(LostSpots, WhatIsShownAgainJustThereIsKnown) {
   lost.note({{spot, 1}}, 10.0);
   const auto known_by = [&](double beside, double shown_at, double off = 0.0, double above = 0.0) {
     const KnownPlace place{{0.6 - 0.087, -0.1 + beside}, camera_height + above, spot, off, shown_at};
-    return lost.are_among({place}, pose, eye, 30.0, 15.0);
+    return lost.are_among({place}, {pose, camera, xtion_field, eye, 0.4}, 30.0, 15.0);
   };
   EXPECT_TRUE(known_by(0.03, 10.1)) << "it was shown there last";
   EXPECT_FALSE(known_by(0.03, 15.0)) << "as the rest of it is";
@@ -62,6 +62,24 @@ TEST(LostSpots, WhatIsShownAgainJustThereIsKnown) {
   EXPECT_TRUE(known_by(0.03, 10.1, 0.0, -0.09)) << "one height of so much is kept";
   EXPECT_FALSE(known_by(0.03, 10.1, 0.0, -0.15)) << "what stands below";
   EXPECT_FALSE(known_by(0.01, 15.0, 0.0, 0.15)) << "what hangs above";
+}
+
+/// A camera would go on showing what rests a little beyond its blind range.
+TEST(LostSpots, WhatWouldBeShownIfItStillRestedBesideThemTellsNothing) {
+  const Outlook camera({}, std::get<Placement>(xtion()));
+  const Eye eye{{-0.087, 0.0}, {1.0, 0.0}, 0.5};
+  const Looking looking{{}, camera, xtion_field, eye, 0.4};
+  const Point spot(0.0f, 0.0f, 0.404f);
+  LostSpots lost;
+  lost.note_picture(1, {camera, {}, 10.0});
+  lost.note({{spot, 1}}, 10.03);
+  const auto are_known_at = [&](double now, float rested) {
+    const Point there(0.0f, 0.0f, rested);
+    return lost.are_among({{{double{rested} - 0.087, 0.0}, camera_height, there, 0.0, 9.97}}, looking, 30.0, now);
+  };
+  EXPECT_TRUE(are_known_at(10.03, 0.44f)) << "it has only just gone";
+  EXPECT_FALSE(are_known_at(10.2, 0.44f));
+  EXPECT_TRUE(are_known_at(10.2, 0.403f)) << "it may rest where the camera is blind";
 }
 
 /// A rod before a board: when its place is forgotten, that of the board, which was lost later, does not speak for it.
@@ -80,7 +98,9 @@ TEST(LostSpots, OneThatIsForgottenIsNotKnownByAllTheOthers) {
   }
   lost.note_picture(2, {camera, {}, 20.0});
   lost.note(spots, 20.0);
-  const auto are_known = [&](double now, const Eye& eye) { return lost.are_among(board, {}, eye, 30.0, now); };
+  const auto are_known = [&](double now, const Eye& eye) {
+    return lost.are_among(board, {{}, camera, xtion_field, eye, 0.4}, 30.0, now);
+  };
   EXPECT_TRUE(are_known(39.0, ahead_of_it)) << "but for a few";
   EXPECT_FALSE(are_known(40.0, ahead_of_it));
   EXPECT_TRUE(are_known(40.0, aside)) << "where nobody drives";
@@ -105,7 +125,7 @@ TEST(LostSpots, OneThatHasNoPlaceIsNotKnownByAllTheOthers) {
     }
     lost.note_picture(1, {camera, {}, 12.0});
     lost.note(spots, 12.0);
-    EXPECT_EQ(lost.are_among(person, {}, eye, 30.0, 13.0), !any_of_before);
+    EXPECT_EQ(lost.are_among(person, {{}, camera, xtion_field, eye, 0.4}, 30.0, 13.0), !any_of_before);
   }
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
 
+#include "../../../safety_control_cloud/core/text/words.hpp"
 #include "driving_up.hpp"
 
 namespace safety_control_cloud {
@@ -91,24 +93,42 @@ TEST(LostSpots, WhatWalkedIntoTheBlindZoneIsNotKnownByItsTrail) {
   EXPECT_EQ(robot.wants(about).factor, 0.0);
 }
 
+Scene board_before_wall_at(float ahead) {
+  return Scene({{ahead, -0.06f, 0.06f, -0.05f, 0.08f}, {2.5f, -9.0f, 9.0f, -9.0f, floor_y}});
+}
+
+/// Comes there and rests.
+void comes_to(RobotWithOdometry& robot, float rests) {
+  for (float at = 1.2f; at > rests; at -= 0.03f) robot.passes(0.05, board_before_wall_at(at));
+  robot.passes(1.0, board_before_wall_at(rests));
+}
+
+void expect_is_closed_until_it_leaves(RobotWithOdometry& robot, const std::string& by) {
+  EXPECT_EQ(robot.wants(ahead).factor, 0.0) << by;
+  EXPECT_EQ(robot.wants(ahead).cause, Cause::NearLoss) << by;
+  robot.passes(1.0, wall_at(2.5f));
+  EXPECT_EQ(robot.wants(ahead).factor, 1.0) << by << ": " << robot.wants(ahead).reason;
+}
+
 /// A camera that rests goes on seeing what rests where it sees.
 TEST(LostSpots, WhatRestedRightBeyondTheBlindRangeAndThenCameNearerIsNotKnownToRestThere) {
   for (const float rested : {0.41f, 0.42f, 0.44f}) {
     for (const float came_to : {0.26f, 0.34f}) {
       RobotWithOdometry robot;
-      const auto board = [](float at) {
-        return Scene({{at, -0.06f, 0.06f, -0.05f, 0.08f}, {2.5f, -9.0f, 9.0f, -9.0f, floor_y}});
-      };
-      for (float at = 1.2f; at > rested; at -= 0.03f) robot.passes(0.05, board(at));
-      robot.passes(1.0, board(rested));
+      comes_to(robot, rested);
       EXPECT_EQ(robot.wants(about).factor, 1.0) << rested;
-      robot.passes(1.0, board(came_to));
-      EXPECT_EQ(robot.wants(ahead).factor, 0.0) << rested << ", " << came_to;
-      EXPECT_EQ(robot.wants(ahead).cause, Cause::NearLoss) << rested << ", " << came_to;
-      robot.passes(1.0, wall_at(2.5f));
-      EXPECT_EQ(robot.wants(ahead).factor, 1.0) << rested << ", " << robot.wants(ahead).reason;
+      robot.passes(1.0, board_before_wall_at(came_to));
+      expect_is_closed_until_it_leaves(robot, words(rested, ", ", came_to));
     }
   }
+}
+
+TEST(LostSpots, WhatRestedAndComesBackAfterALookPastThatDidNotRestMeanwhile) {
+  RobotWithOdometry robot;
+  comes_to(robot, 0.402f);
+  for (const float at : {0.55f, 0.402f}) robot.passes(0.05, board_before_wall_at(at));
+  robot.passes(1.0, board_before_wall_at(0.3f));
+  expect_is_closed_until_it_leaves(robot, "out and back");
 }
 
 TEST(LostSpots, WhatMayMoveIsNotKnownForLong) {
