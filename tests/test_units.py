@@ -16,6 +16,7 @@ TESTED_AS = {
     "guard/facing": "guard/guard_settings_test and perception_test: what asks it",
     "guard/seen_at": "guard/forgetting_test and out_of_sight_test: what asks it",
     "guard_sensor": "perception_test: several of them",
+    "lost_from_sight": "guard/known_places_test and blindness_test: what becomes of a robot by it",
     "sensor_settings": "guard/guard_settings_test and perception_test",
     "input/kind": "tests/ros/taking_test.cpp: names of what is taken",
     **dict.fromkeys(["guard/cells", "guard/eye", "guard/lists", "guard/new_ground"],

@@ -23,7 +23,6 @@ constexpr double turned_away = 0.2;  ///< [rad] by which a camera may look past 
 const std::vector<Ring> nothing;
 
 constexpr const char* facing_word = "facing";
-constexpr double few_returns = 0.1;        ///< of the points: with more, a camera is not blind for what is before it
 constexpr double least_of_scan = 0.3;      ///< [m] from which on a laser measures what is there, if it does so near
 constexpr double beyond_range_min = 0.05;  ///< [m] from which on it does, if not
 constexpr double least_beyond = 0.15;      ///< [m] beyond its blind range from which on a camera does
@@ -31,18 +30,6 @@ constexpr double least_beyond = 0.15;      ///< [m] beyond its blind range from 
 Surroundings surroundings_of(const Settings& own, const Guard& guard) {
   const FrameCorridor& band = own.frame_corridor;
   return {guard.outline(), {band.bottom, band.top, guard.reach(own.source_timeout, law_of(own)), own_boxes_of(own)}};
-}
-
-/// Why a sensor that saw until now is lost where it looks, and only there.
-std::optional<Doubt> loss_in(const Answer& answer, std::size_t min_points, bool is_explained) {
-  if (const auto* doubt = std::get_if<Doubt>(&answer)) {
-    return doubt->cause == Cause::Blind ? std::optional(*doubt) : std::nullopt;
-  }
-  const auto& seen = std::get<Seen>(answer);
-  if (seen.loss && !is_explained) return Doubt{seen.loss->cause, seen.loss->reason};
-  if (seen.sight.too_close > 0 && seen.sight.too_close + seen.sight.inside >= min_points)
-    return Doubt{Cause::Seen, "something is too close to measure"};
-  return std::nullopt;
 }
 
 /// Of what is ahead, as the drive mode has it.
@@ -76,7 +63,6 @@ std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origi
                                      const Given& given) {
   last_arrival_ = now.steady;
   last_taken_ = taken_at(origin, now);
-  is_explained_ = false;
   if (taken_ && collected_ == Collected::Nothing) collected_ = Collected::Before;
   face(reading, origin.placing);
   Origin facing = origin;
@@ -88,26 +74,15 @@ std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origi
   const std::uint32_t before = sensor_.picture();
   sensor_.see(reading, facing, now, Crop::Skip, alongside ? &*alongside : nullptr);
   is_new_picture_ = sensor_.picture() != before;
-  const auto* doubt = std::get_if<Doubt>(&sensor_.answer());
-  if (doubt && doubt->cause == Cause::Blind && sensor_.is_any_near()) has_lost_ = true;  // it may be before that
-  if (doubt) return std::nullopt;
-  was_sound_ = true;
-  note_loss();
+  lost_.note(sensor_.answer(), sensor_.is_any_near());
+  if (std::holds_alternative<Doubt>(sensor_.answer())) return std::nullopt;
   const Outlook upright = sensor_.upright(std::get<Outlook>(outlook));  // there is, or nothing were seen
   return take(reading, origin, upright, now, given);
 }
 
-/// As the latest reading that is believed has it.
-void GuardSensor::note_loss() {
-  const auto& seen = std::get<Seen>(sensor_.answer());
-  has_lost_ = seen.loss.has_value();
-  is_lost_ahead_ = has_lost_ && seen.loss->cause == Cause::NearLoss && !is_explained_;
-}
-
 void GuardSensor::forget_losses() {
   sensor_.forget_losses();
-  lost_ = LostSpots{};
-  has_lost_ = is_lost_ahead_ = false;
+  lost_.forget();
 }
 
 /// After which way its corridor leads, if that is not ahead.
@@ -124,11 +99,10 @@ bool GuardSensor::recall(const std::string& remembered) {
   const double facing = is_turned ? reader.number(-half_turn, half_turn) : 0.0;
   const std::string text = is_turned ? reader.rest() : remembered;
   if (!reader.good() || (is_turned && text.empty()) || !sensor_.recall(text)) return false;
-  lost_ = LostSpots{};
+  lost_.note_recalled(sensor_.is_recalled());
   if (!sensor_.is_recalled()) return true;
   sensor_.adopt(sensor_settings(own_, facing));
   facing_ = facing;
-  has_lost_ = is_lost_ahead_ = true;
   return true;
 }
 
@@ -136,7 +110,7 @@ bool GuardSensor::recall(const std::string& remembered) {
 /// wherever it looks, if its corridor turned too.
 void GuardSensor::face(const Reading& reading, const Placing& placing) {
   const auto* placement = std::get_if<Placement>(&placing);
-  if (!placement || is_lost_ahead_) return;
+  if (!placement || lost_.is_ahead()) return;
   const Outlook outlook({}, *placement);
   const auto* scan = std::get_if<ScanView>(&reading);
   const Eye eye = scan ? eye_of(outlook, *scan) : eye_of(outlook, FieldOfView{});
@@ -167,19 +141,10 @@ double GuardSensor::taken_at(const Origin& origin, const Instant& now) const {
   return own_.stamp_tolerance > 0.0 ? std::min(origin.stamp, now.ros) : now.ros;
 }
 
-/// None too if more is lost than it tells of.
-const Loss* GuardSensor::loss() const {
-  const auto* seen = std::get_if<Seen>(&sensor_.answer());
-  const bool tells = seen && seen->loss && !(seen->loss->covered.empty() && seen->loss->spots.empty());
-  return tells ? &*seen->loss : nullptr;
-}
-
 bool GuardSensor::note_pose(const std::optional<Pose2>& pose, double now) {
-  const Loss* lost = loss();
-  lost_.note(lost ? lost->spots : std::vector<LostSpot>{}, now);
+  const bool is_any_lost = lost_.note_pose(sensor_.answer(), pose, now);
   if (pose) note_picture_from(taken_->outlook, *pose, now);
-  pose_ = pose;
-  return lost != nullptr;
+  return is_any_lost;
 }
 
 void GuardSensor::note_picture_from(const Outlook& outlook, const Pose2& pose, double now) {
@@ -187,42 +152,24 @@ void GuardSensor::note_picture_from(const Outlook& outlook, const Pose2& pose, d
 }
 
 void GuardSensor::explain_loss(const std::vector<KnownPlace>& known, double time, double now) {
-  const Loss* lost = loss();
-  is_explained_ = lost && pose_ && is_known(*lost, known, time, now);
-  note_loss();
-}
-
-/// Where all of that is.
-bool GuardSensor::is_known(const Loss& lost, const std::vector<KnownPlace>& known, double time, double now) const {
-  const Looking looking{*pose_, taken_->outlook, taken_->field, taken_->eye, own_.near_loss.blind_range};
-  return !lost_.have_moved(known, looking) && lost_.are_among(known, looking, time, now) &&
-         hides(known, lost.covered, looking.field, looking.blind_range);
+  lost_.explain(sensor_.answer(), known, *taken_, own_.near_loss.blind_range, time, now);
 }
 
 std::optional<Outlook> GuardSensor::outlook_if_blind(const Placing& placing) const {
   const auto* doubt = std::get_if<Doubt>(&sensor_.answer());
   const auto* placement = std::get_if<Placement>(&placing);
-  const bool is_blind = doubt && doubt->cause == Cause::Blind && was_sound_;
+  const bool is_blind = doubt && doubt->cause == Cause::Blind && lost_.was_sound();
   if (!is_blind || own_.input == InputKind::Scan || !taken_ || !placement) return std::nullopt;
   return sensor_.upright(Outlook({}, *placement));
 }
 
 void GuardSensor::explain_blindness(const std::vector<KnownPlace>& known) {
-  const Sight& counted = sensor_.counted();
-  const double returned = static_cast<double>(counted.returns) / static_cast<double>(counted.total);
-  const Span all{0.0, 1.0};
-  is_explained_ = returned <= few_returns && hides(known, {all}, taken_->field, own_.near_loss.blind_range, returned);
-}
-
-void GuardSensor::forget_poses() {
-  lost_.forget_places();
-  pose_.reset();
-  is_explained_ = false;
+  lost_.explain_blindness(sensor_.counted(), known, taken_->field, own_.near_loss.blind_range);
 }
 
 void GuardSensor::wait(const Instant& now) {
   sensor_.wait(now);
-  if (std::holds_alternative<Doubt>(sensor_.answer()) && !loss_in(sensor_.answer(), 1, false)) was_sound_ = false;
+  lost_.note_silence(sensor_.answer());
 }
 
 Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const Given& given) const {
@@ -230,13 +177,13 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
   known.sensor = about_.name;
   known.law = law_;
   if (const auto* doubt = std::get_if<Doubt>(&sensor_.answer())) known.doubt = *doubt;
-  if (auto lost = loss_in(sensor_.answer(), own_.corridor.min_points, is_explained_); lost && was_sound_) {
-    known.is_placed = is_explained_ && lost->cause == Cause::Blind;
+  if (auto lost = lost_.doubt(sensor_.answer(), own_.corridor.min_points)) {
+    known.is_placed = lost_.is_explained() && lost->cause == Cause::Blind;
     known.lost = std::move(lost);
     if (const auto* seen = std::get_if<Seen>(&sensor_.answer()); seen && seen->loss) known.hint = seen->loss->hint;
     known.doubt.reset();
   }
-  if (known.doubt && known.doubt->cause == Cause::WrongView && is_lost_ahead_)
+  if (known.doubt && known.doubt->cause == Cause::WrongView && lost_.is_ahead())
     known.doubt->reason += "; it has turned away from where it lost something: let it look there again";
   if (outside_) known.doubt = outside_;
   const bool is_away_free =
@@ -257,15 +204,15 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
 /// It may have turned away since.
 Eye GuardSensor::eye_on_what_is_lost() const {
   Eye eye = taken_->eye;
-  if (is_lost_ahead_) eye.direction = {std::cos(facing_), std::sin(facing_)};
+  if (lost_.is_ahead()) eye.direction = {std::cos(facing_), std::sin(facing_)};
   return eye;
 }
 
 std::optional<Known> GuardSensor::left_behind(const Known& known, double memory_time, double now) const {
   const double since = last_arrival_ ? now - *last_arrival_ : 0.0;
-  const bool is_kept_as_places = is_explained_ && since <= memory_time;
+  const bool is_kept_as_places = lost_.is_explained() && since <= memory_time;
   const bool is_forgotten = Patience{since, own_.near_loss.timeout}.ends(0.0);
-  if (!has_lost_ || is_kept_as_places || is_forgotten) return std::nullopt;
+  if (!lost_.has_any() || is_kept_as_places || is_forgotten) return std::nullopt;
   if (!known.doubt) return known;
   Known left;
   left.sensor = about_.name;
@@ -283,7 +230,7 @@ bool GuardSensor::misses(const Point2& place, const Heights& heights, double off
 }
 
 bool GuardSensor::has_looked_since(double stamp) const {
-  const bool is_blind = was_sound_ && std::holds_alternative<Doubt>(sensor_.answer());
+  const bool is_blind = lost_.was_sound() && std::holds_alternative<Doubt>(sensor_.answer());
   return taken_ && (is_blind ? last_taken_ : taken_->stamp()) >= stamp;
 }
 

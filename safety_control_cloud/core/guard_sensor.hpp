@@ -6,11 +6,11 @@
 
 #include "guard/given.hpp"
 #include "guard/guard.hpp"
-#include "guard/known_places.hpp"
 #include "guard/odometry.hpp"
 #include "guard/out_of_sight.hpp"
 #include "guard/surroundings.hpp"
 #include "latest_look.hpp"
+#include "lost_from_sight.hpp"
 #include "sensor.hpp"
 #include "settings.hpp"
 
@@ -44,7 +44,7 @@ class GuardSensor {
   void explain_blindness(const std::vector<KnownPlace>& known);
 
   /// Where the robot was is not known any more.
-  void forget_poses();
+  void forget_poses() { lost_.forget_poses(); }
 
   /// None has come until `now`.
   void wait(const Instant& now);
@@ -99,9 +99,6 @@ class GuardSensor {
   /// By the present settings. Of a sensor that has been blind ever since, what it showed before tells where it looks.
   enum class Collected { Nothing, Before, Now };
 
-  const Loss* loss() const;
-  void note_loss();
-  bool is_known(const Loss& lost, const std::vector<KnownPlace>& known, double time, double now) const;
   Eye eye_on_what_is_lost() const;
   void face(const Reading& reading, const Placing& placing);
   Look take(const Reading& reading, const Origin& origin, const Outlook& outlook, const Instant& now,
@@ -111,18 +108,13 @@ class GuardSensor {
   Settings own_;
   Settings straight_;  ///< by which all of its points are taken, whichever way it looks
   Law law_;
-  double facing_ = 0.0;         ///< [rad] from base_frame's x axis: where the corridor leads that it looks down
-  bool has_lost_ = false;       ///< something, or it is blind before what was near
-  bool is_lost_ahead_ = false;  ///< something, in that corridor, of which nobody else knows where it is
+  double facing_ = 0.0;  ///< [rad] from base_frame's x axis: where the corridor leads that it looks down
   Sensor sensor_;
   Surroundings around_;
   std::optional<LatestLook> taken_;
   Collected collected_ = Collected::Nothing;
-  std::optional<Pose2> pose_;  ///< of the robot, as it looked last
-  LostSpots lost_;
+  LostFromSight lost_;
   bool is_new_picture_ = false;         ///< the latest reading: something may be remembered of it
-  bool is_explained_ = false;           ///< what is lost in it, or why it is blind
-  bool was_sound_ = false;              ///< nothing but what it cannot see any more speaks against it
   std::optional<double> last_arrival_;  ///< [s] steady
   double last_taken_ = 0.0;             ///< [s] ROS
   std::size_t looks_ = 0;               ///< that were taken
