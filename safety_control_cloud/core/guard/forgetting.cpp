@@ -35,7 +35,7 @@ Forgetting::Forgetting(const Look& look, const SeenAt& seen_at, const LooksTaken
       way_since_(looks, robot) {}
 
 bool Forgetting::has_gone(RememberedPlace& place) {
-  if (place.look == looks_.latest()) return false;
+  if (place.look == looks_.latest() || looks_.is_latest_older_than(place.look)) return false;
   const Point2 here = seen_after_({place.x, place.y});
   const double range = length_of(here);
   if (robot_.foretold.at(range) > most_foretold) return false;

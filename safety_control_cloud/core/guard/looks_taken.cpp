@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace safety_control_cloud {
 namespace {
@@ -23,8 +24,9 @@ std::vector<Pose2> ways_between(const Whereabouts& then, const Whereabouts& now)
 
 }  // namespace
 
-Drift LooksTaken::take_placed(std::size_t sensor, const Whereabouts& robot, double now, std::optional<double> stamp) {
-  add(sensor, robot, now, stamp);
+Drift LooksTaken::take_placed(std::size_t sensor, const Whereabouts& robot, double now, std::optional<double> stamp,
+                              double came_after) {
+  add({sensor, now, now - came_after, robot, stamp});
   if (stamp && stamp_ && *stamp < *stamp_) return {};
   const Drift since = drift_from_latest_to(robot);
   robot_ = robot;
@@ -32,16 +34,16 @@ Drift LooksTaken::take_placed(std::size_t sensor, const Whereabouts& robot, doub
   return since;
 }
 
-void LooksTaken::add(std::size_t sensor, const Whereabouts& robot, double now, std::optional<double> stamp) {
-  latest_of_[sensor] = ++latest_;
-  taken_.push_back({sensor, now, robot, stamp});
+void LooksTaken::add(Taken look) {
+  latest_of_[look.sensor] = ++latest_;
+  taken_.push_back(std::move(look));
 }
 
 /// Where the robot was at each look is not known any more.
 void LooksTaken::go_on_in_frame(const Whereabouts& there) {
   robot_ = there;
   stamp_.reset();
-  for (Taken& look : taken_) look = {look.sensor, look.at, {there.pose, there.or_else}};
+  for (Taken& look : taken_) look = {look.sensor, look.at, look.taken_at, {there.pose, there.or_else}};
 }
 
 void LooksTaken::forget_before(double moment) {
@@ -51,6 +53,11 @@ void LooksTaken::forget_before(double moment) {
 const LooksTaken::Taken* LooksTaken::find(std::uint64_t look) const {
   const std::uint64_t since = latest_ - look;
   return since < taken_.size() ? &taken_[taken_.size() - 1 - static_cast<std::size_t>(since)] : nullptr;
+}
+
+bool LooksTaken::is_latest_older_than(std::uint64_t look) const {
+  const Taken* taken = find(look);
+  return taken && look != latest_ && taken_.back().taken_at <= taken->taken_at;
 }
 
 bool LooksTaken::is_latest_of_its_sensor(std::uint64_t look) const {

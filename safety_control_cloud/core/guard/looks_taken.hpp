@@ -18,17 +18,20 @@ class LooksTaken {
  public:
   struct Taken {
     std::size_t sensor;
-    double at;                         ///< [s] steady
+    double at;                         ///< [s] steady, when it came
+    double taken_at;                   ///< [s] steady
     Whereabouts robot;                 ///< in a frame that rests
     std::optional<double> stamp = {};  ///< [s] ROS, at which the robot was just there; none: it is there by now
   };
 
   /// A sensor looks, and nobody knows from where.
-  void take(std::size_t sensor, double now) { add(sensor, Whereabouts{}, now, {}); }
+  void take(std::size_t sensor, double now) { add({sensor, now, now, Whereabouts{}}); }
 
   /// It looks, the robot being there. `stamp` [s] ROS; none: it is no look of this process.
-  /// By how much the way there may be off, since the latest that was placed; nothing, if that has a later stamp.
-  Drift take_placed(std::size_t sensor, const Whereabouts& robot, double now, std::optional<double> stamp = {});
+  /// `came_after` [s] that. By how much the way there may be off, since the latest that was placed; nothing, if that
+  /// has a later stamp.
+  Drift take_placed(std::size_t sensor, const Whereabouts& robot, double now, std::optional<double> stamp = {},
+                    double came_after = 0.0);
 
   /// From now on another frame rests, in which the robot is `there`.
   void go_on_in_frame(const Whereabouts& there);
@@ -50,6 +53,9 @@ class LooksTaken {
     return robot_ ? drift_between(*robot_, robot) : Drift{};
   }
 
+  /// Whether the latest look of all was taken before this one, or at once with it: it came later.
+  bool is_latest_older_than(std::uint64_t look) const;
+
   /// Whether no later look of the same sensor has been taken.
   bool is_latest_of_its_sensor(std::uint64_t look) const;
 
@@ -57,7 +63,7 @@ class LooksTaken {
   std::optional<std::uint64_t> placed_before_latest_of(std::size_t sensor) const;
 
  private:
-  void add(std::size_t sensor, const Whereabouts& robot, double now, std::optional<double> stamp);
+  void add(Taken look);
 
   std::deque<Taken> taken_;  ///< the latest of them
   std::uint64_t latest_ = 0;

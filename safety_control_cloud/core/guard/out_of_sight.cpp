@@ -50,7 +50,7 @@ void add_to(std::vector<Ring>& rings, const Point2& place, double off) {
 
 void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now,
                       const Pose2& meanwhile) {
-  drift(looks_.take_placed(sensor, robot, now, look.stamp), robot.pose.place);
+  drift(looks_.take_placed(sensor, robot, now, look.stamp, look.came_after), robot.pose.place);
   drop_what_is_over(now);
   if (!remembers()) return places_.clear();
   const SeenAt seen_at(look, limits_.vicinity);
@@ -108,6 +108,10 @@ void OutOfSight::keep(const NearReturn& seen, double now, double off, const Heig
   const auto found = places_.find(key);
   if (found == places_.end() && places_.size() >= most) return;
   Place kept{seen.place.x, seen.place.y, seen.height, stands, looks_.latest(), now, now, off};
+  if (found != places_.end() && looks_.is_latest_older_than(found->second.look)) {
+    found->second.looks = looks_of(found->second);
+    return;
+  }
   if (found != places_.end()) {
     // what is back where a look saw past it has been elsewhere
     if (found->second.away == 0) kept.first_seen = found->second.first_seen;

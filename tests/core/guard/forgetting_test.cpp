@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "robot_with_odometry.hpp"
@@ -89,6 +90,38 @@ TEST(Forgetting, WhatAPartOfTheRobotHidesHasNotGone) {
     RobotWithOdometry alone(settings);
     alone.passes(1.0, after);
     EXPECT_EQ(alone.wants({0.6, 0.0, 0.0}).factor, 1.0) << "itself it does not stop for";
+  }
+}
+
+/// What a late camera saw before it came, or came back, tells nothing of what a laser has shown since.
+TEST(Forgetting, WhatWasSeenBeforeItCameDoesNotMakeItGo) {
+  constexpr float infinite = std::numeric_limits<float>::infinity();
+  const Board wall = wall_before(2.0);
+  const Scene empty({wall}), board({{0.56f + 0.087f, -0.1f, 0.1f, -0.1f, 0.2f}, wall});
+  for (const double late : {0.25, 0.4}) {
+    for (const bool was_there_before : {false, true}) {
+      RobotWithSensors robot;
+      robot.rear_shows = robot.front_shows = false;
+      robot.stamp_behind = late;
+      const double came = robot.now.ros + 1.0;
+      const auto shows_ahead = [&](float range, double seconds) {
+        for (std::size_t degrees = 170; degrees <= 190; ++degrees) robot.ranges[degrees] = range;
+        for (double t = 0.0; t < seconds - 0.01; t += 0.05) {
+          robot.pass(0.05);
+          robot.control.note_odometry(robot.now.ros, {}, {});
+          const double before = came - (robot.now.ros - late);  // [s] that the camera looked
+          robot.see((was_there_before && before > 0.12 && before < 0.22 ? board : empty).view());
+          robot.see_scan();
+          robot.wants({});
+        }
+      };
+      shows_ahead(5.0f, 1.0);
+      shows_ahead(0.56f, 0.1);
+      shows_ahead(infinite, late - 0.1);  // nearer than it measures
+      const Guarded& answer = robot.wants({0.6, 0.0, 0.0});
+      EXPECT_LT(answer.factor, 0.8) << late << ": " << answer.reason;
+      EXPECT_EQ(answer.sensor, "memory") << late << ": " << answer.reason;
+    }
   }
 }
 

@@ -44,6 +44,19 @@ TEST(LooksTaken, OneOfAnEarlierStampGoesNoWay) {
   EXPECT_NEAR(looks.take_placed(front, at(3.5), 11.2, 71.2).at(1.0), 0.1 * 0.5, 1e-12);
 }
 
+TEST(LooksTaken, TheLatestMayHaveBeenTakenBeforeOthers) {
+  LooksTaken looks;
+  looks.take_placed(front, at(0.0), 10.0, 70.0, 0.02);
+  looks.take_placed(rear, at(0.0), 10.1, 69.8, 0.3);
+  EXPECT_TRUE(looks.is_latest_older_than(1));
+  EXPECT_FALSE(looks.is_latest_older_than(2)) << "itself";
+  looks.go_on_in_frame(at(1.0));
+  EXPECT_TRUE(looks.is_latest_older_than(1)) << "in whichever frame";
+  looks.take_placed(rear, at(0.0), 10.4, 70.1, 0.3);
+  EXPECT_FALSE(looks.is_latest_older_than(1));
+  EXPECT_FALSE(looks.is_latest_older_than(5)) << "not taken yet";
+}
+
 TEST(WaySince, NamesWhereTheRobotMayBeInstead) {
   LooksTaken looks;
   looks.take_placed(front, {{{0.0, 0.0}, 0.0}, {{{0.0, 0.0}, 0.0}, {{-0.2, 0.0}, 0.0}}}, 10.0);
