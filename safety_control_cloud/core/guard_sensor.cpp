@@ -56,6 +56,7 @@ void GuardSensor::adopt(const Settings& settings, const Guard& guard) {
   law_ = law_of(own_);
   sensor_.adopt(sensor_settings(own_, facing_));
   around_ = surroundings_of(own_, guard);
+  lost_.forget_explanation();
   collected_ = Collected::Nothing;  // what was, was collected within other limits
 }
 
@@ -151,8 +152,8 @@ void GuardSensor::note_picture_from(const Outlook& outlook, const Pose2& pose, d
   if (is_new_picture_) lost_.note_picture(sensor_.picture(), {outlook, pose, now});
 }
 
-void GuardSensor::explain_loss(const std::vector<KnownPlace>& known, double time, double now) {
-  lost_.explain(sensor_.answer(), known, *taken_, own_.near_loss.blind_range, time, now);
+void GuardSensor::explain_loss(const std::vector<KnownPlace>& known, double now) {
+  lost_.explain(sensor_.answer(), known, *taken_, own_.near_loss.blind_range, own_.memory_time, now);
 }
 
 std::optional<Outlook> GuardSensor::outlook_if_blind(const Placing& placing) const {
@@ -164,7 +165,7 @@ std::optional<Outlook> GuardSensor::outlook_if_blind(const Placing& placing) con
 }
 
 void GuardSensor::explain_blindness(const std::vector<KnownPlace>& known) {
-  lost_.explain_blindness(sensor_.counted(), known, taken_->field, own_.near_loss.blind_range);
+  lost_.explain_blindness(sensor_.counted(), known, taken_->field, own_.near_loss.blind_range, own_.memory_time);
 }
 
 void GuardSensor::wait(const Instant& now) {
@@ -208,9 +209,9 @@ Eye GuardSensor::eye_on_what_is_lost() const {
   return eye;
 }
 
-std::optional<Known> GuardSensor::left_behind(const Known& known, double memory_time, double now) const {
+std::optional<Known> GuardSensor::left_behind(const Known& known, double now) const {
   const double since = last_arrival_ ? now - *last_arrival_ : 0.0;
-  const bool is_kept_as_places = lost_.is_explained() && since <= memory_time;
+  const bool is_kept_as_places = lost_.is_still_explained(now) && since <= own_.memory_time;
   const bool is_forgotten = Patience{since, own_.near_loss.timeout}.ends(0.0);
   if (!lost_.has_any() || is_kept_as_places || is_forgotten) return std::nullopt;
   if (!known.doubt) return known;

@@ -34,8 +34,8 @@ class GuardSensor {
   /// Its latest reading, which may be blind, was taken from there.
   void note_picture_from(const Outlook& outlook, const Pose2& pose, double now);
 
-  /// What is known to be around it there, and for how long such is kept [s]: if that is all that is lost, nothing is.
-  void explain_loss(const std::vector<KnownPlace>& known, double time, double now);
+  /// What is known to be around it there: if that is all that is lost, nothing is.
+  void explain_loss(const std::vector<KnownPlace>& known, double now);
 
   /// How it is placed, if it has been blind since it was sound last; none: it sees, or something else is the matter.
   std::optional<Outlook> outlook_if_blind(const Placing& placing) const;
@@ -57,8 +57,8 @@ class GuardSensor {
 
   /// Of what it lets one know while it is in doubt and not required: what it had lost from sight before closes every
   /// way but away from there all the same, and so does what was near when it went blind; none: there is no such thing,
-  /// or it is kept as places for `memory_time` [s]. `now` [s] steady.
-  std::optional<Known> left_behind(const Known& known, double memory_time, double now) const;
+  /// or it is kept as places. `now` [s] steady.
+  std::optional<Known> left_behind(const Known& known, double now) const;
 
   /// Whether what it shows was taken after this stamp [s, ROS], or that it is blind, so that only away from where it
   /// looks is open.

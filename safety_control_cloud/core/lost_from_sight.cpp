@@ -56,6 +56,7 @@ void LostFromSight::explain(const Answer& answer, const std::vector<KnownPlace>&
   const Loss* lost = loss_in(answer);
   is_explained_ =
       lost && pose_ && is_known(*lost, known, {*pose_, look.outlook, look.field, look.eye, blind_range}, time, now);
+  explained_until_ = spots_.kept_until(time, now);
   judge(answer);
 }
 
@@ -66,9 +67,10 @@ bool LostFromSight::is_known(const Loss& lost, const std::vector<KnownPlace>& kn
 }
 
 void LostFromSight::explain_blindness(const Sight& counted, const std::vector<KnownPlace>& known,
-                                      const FieldOfView& field, double blind_range) {
+                                      const FieldOfView& field, double blind_range, double time) {
   const double returned = static_cast<double>(counted.returns) / static_cast<double>(counted.total);
   is_explained_ = returned <= few_returns && hides(known, {Span{0.0, 1.0}}, field, blind_range, returned);
+  explained_until_ = kept_until(known, field, blind_range, time);
 }
 
 void LostFromSight::forget_poses() {

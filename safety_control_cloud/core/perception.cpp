@@ -102,7 +102,7 @@ void Perception::see(const Reading& reading, const Origin& origin, const Instant
   const bool is_any_lost = sensors_[sensor].note_pose(pose, now.steady);
   if (!is_any_lost || !pose || !memory_.remembers()) return;
   const auto robot = memory_.by_odometry_at(look->stamp, went, now);
-  sensors_[sensor].explain_loss(memory_.resting(look->outlook, *robot, now), settings_.memory_time, now.steady);
+  sensors_[sensor].explain_loss(memory_.resting(look->outlook, *robot, now), now.steady);
 }
 
 void Perception::explain_blindness(std::size_t sensor, const Origin& origin, const Instant& now, const Given& given) {
@@ -132,8 +132,7 @@ std::vector<Known> Perception::known_at(const Instant& now, const Given& given, 
       doubts.push_back(words(sensor.name(), ": ", name_of(known.lost->cause), ", before what is known to stand there"));
     const bool is_absent = known.doubt || (known.lost && known.lost->cause == Cause::Blind);
     if (is_absent && !sensor.is_required() && !sensor.is_awaited()) {
-      if (auto behind = sensor.left_behind(known, settings_.memory_time, now.steady))
-        left.push_back(*std::move(behind));
+      if (auto behind = sensor.left_behind(known, now.steady)) left.push_back(*std::move(behind));
       continue;
     }
     if (outside_) known.doubt = outside_;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -120,6 +121,13 @@ bool hides(const std::vector<KnownPlace>& known, const std::vector<Span>& covere
   return left < most_left + left_over * parts;
 }
 
+double kept_until(const std::vector<KnownPlace>& known, const FieldOfView& field, double blind_range, double time) {
+  double until = std::numeric_limits<double>::infinity();
+  for (const KnownPlace& one : known)
+    if (is_hiding(one, field, blind_range)) until = std::min(until, one.shown_at + time);
+  return until;
+}
+
 void LostSpots::note_picture(std::uint32_t number, const Taken& from) {
   pictures_.insert_or_assign(number, from);
   if (pictures_.size() > most_pictures) pictures_.erase(pictures_.begin());
@@ -172,6 +180,16 @@ bool LostSpots::have_moved(const std::vector<KnownPlace>& known, const Looking& 
   return static_cast<double>(std::count_if(expected.begin(), expected.end(), is_not_shown)) > some;
 }
 
+/// It was shown last, so is forgotten, so much sooner.
+bool LostSpots::is_forgotten(const Lost& lost, double time, double now) { return now - lost.since > time - going; }
+
+double LostSpots::kept_until(double time, double now) const {
+  double until = std::numeric_limits<double>::infinity();
+  for (const auto& [seen, lost] : spots_)
+    if (!is_forgotten(lost, time, now)) until = std::min(until, lost.since + time - going);
+  return until;
+}
+
 bool LostSpots::are_among(const std::vector<KnownPlace>& known, const Looking& looking, double time, double now) const {
   const KnownByCell by_cell(known);
   const SeenAfter seen_after(looking.pose);
@@ -186,7 +204,7 @@ bool LostSpots::are_among(const std::vector<KnownPlace>& known, const Looking& l
   double known_ones = 0.0;
   for (const auto& [seen, lost] : spots_) {
     if (!lost.place) return false;
-    const bool is_old = now - lost.since > time - going;  // it was shown last, so is forgotten, so much sooner
+    const bool is_old = is_forgotten(lost, time, now);
     const Point2 here = seen_after(*lost.place);
     if (is_old && looking.eye.sees(here)) return false;
     const Point there = looking.camera.seen_from_camera(in_corridor_axes(here, lost.height));

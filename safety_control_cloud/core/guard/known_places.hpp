@@ -39,6 +39,10 @@ struct Looking {
 bool hides(const std::vector<KnownPlace>& known, const std::vector<Span>& covered, const FieldOfView& field,
            double blind_range, double left_over = 0.0);
 
+/// Until when [s] all of it is kept that hides anything, each for `time` [s] since it was shown; infinite if nothing
+/// does.
+double kept_until(const std::vector<KnownPlace>& known, const FieldOfView& field, double blind_range, double time);
+
 /// Where in a frame that rests the things are that a camera has lost from sight.
 class LostSpots {
  public:
@@ -67,6 +71,9 @@ class LostSpots {
   /// known but what lies elsewhere than where the eye looks: one that is left would speak for another beside it.
   bool are_among(const std::vector<KnownPlace>& known, const Looking& looking, double time, double now) const;
 
+  /// Until when their places are kept for `time` [s], of those of which they are by `now`; infinite if of none.
+  double kept_until(double time, double now) const;
+
   /// Whether the camera would see some of them if they rested where they were, a little beyond its blind range, and
   /// nothing is known to have been shown there since: they have moved, and may have come nearer than it sees.
   bool have_moved(const std::vector<KnownPlace>& known, const Looking& looking) const;
@@ -76,6 +83,8 @@ class LostSpots {
     std::optional<Point2> place;
     double height, since;  ///< [m] above base_frame, [s]
   };
+
+  static bool is_forgotten(const Lost& lost, double time, double now);
 
   std::map<std::array<float, 3>, Lost> spots_;  ///< by where they were seen
   std::map<std::uint32_t, Taken> pictures_;

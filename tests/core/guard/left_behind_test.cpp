@@ -41,6 +41,39 @@ TEST(LeftBehind, WhatWasLostClosesItsWayThoughTheCameraFallsSilent) {
   EXPECT_EQ(robot.drives(back).factor, 1.0) << robot.wants(back).reason;
 }
 
+/// With odometry it is kept as places, which are forgotten when they have not been shown for so long, be the camera
+/// that lost it silent since soon before or not; and other settings may keep none.
+TEST(LeftBehind, WhatWasKeptAsPlacesClosesItsWayOnceTheyAreForgotten) {
+  for (const bool are_settings_others : {false, true}) {
+    Settings settings = with_sensors();
+    RobotWithSensors robot(settings);
+    Pose2 pose;
+    const auto goes_on = [&](double seconds) {
+      for (double t = 0.0; t < seconds; t += 0.05) {
+        robot.control.note_odometry(robot.now.ros + 0.05, pose, {});
+        robot.drives_on({});
+      }
+    };
+    for (float away = 0.8f; away > 0.355f; away -= 0.01f) {  // it backs up
+      robot.behind = Scene({post(away, 0.02f, 0.06f)});
+      goes_on(0.05);
+      pose.place.x -= 0.01;
+    }
+    pose.place.x += 0.01;
+    goes_on(are_settings_others ? 5.0 : 20.0);
+    EXPECT_EQ(robot.wants(about).factor, 1.0) << robot.wants(about).reason;
+    robot.rear_shows = false;
+    goes_on(1.0);
+    if (are_settings_others) {
+      settings.memory_distance = 0.0;
+      robot.control.adopt(settings);
+    }
+    goes_on(are_settings_others ? 1.0 : 12.0);
+    EXPECT_EQ(robot.wants(back).factor, 0.0) << robot.wants(back).reason;
+    EXPECT_EQ(robot.wants(back).cause, Cause::NearLoss) << robot.wants(back).reason;
+  }
+}
+
 TEST(LeftBehind, WhatWasLostInTheVeryLastLookToo) {
   RobotWithSensors robot;
   for (const float away : {0.7f, 0.6f, 0.5f, 0.45f}) {
