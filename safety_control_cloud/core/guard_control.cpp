@@ -122,7 +122,7 @@ const Guarded& GuardControl::settle(Allowed allowed, const Instant& now) {
   last_.sensor = allowed.sensor;
   last_.cause = allowed.cause;
   last_.reason = allowed.reason.empty() ? "the command is safe" : std::move(allowed.reason);
-  last_.hint = std::move(allowed.hint);
+  last_.hint = allowed.factor > 0.0 ? std::string() : std::move(allowed.hint);
   last_.in_view = allowed.in_view;
   last_.override_left = override_.left(now.steady);
   last_.sight = perception_.sight_of(last_.sensor);

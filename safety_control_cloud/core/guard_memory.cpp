@@ -8,6 +8,8 @@
 namespace safety_control_cloud {
 namespace {
 
+constexpr const char* what_frees =
+    "a sensor sees past that, or after memory_time, or after ~reset, when somebody has looked";
 constexpr double begins_after = 0.2;  ///< [s] that odometry must go on before it is asked
 constexpr double least_jump = 0.1;    ///< [m], [rad]
 constexpr double soon = 0.05;         ///< [s] in which no base comes to move much otherwise
@@ -242,6 +244,7 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
   const Whereabouts robot = *whereabouts_at(0.0, went, now);  // there is, or it would be in doubt
   known.law = sensors.front().law();
   known.law.min_points = 1;
+  known.hint = what_frees;
   known.ways = {Pose2{}};
   const double reach = guard.reach(0.0, known.law);
   rings_.clear();

@@ -190,6 +190,7 @@ Allowed Guard::by_sight(const Twist2& wanted, const UnderWay& under_way, const K
     if (least.factor == 0.0) break;
     nearer += ring.returns;
   }
+  if (!known.lost) least.hint = known.hint;
   return least;
 }
 

@@ -33,7 +33,7 @@ struct Known {
   std::optional<Doubt> doubt;  ///< why it is not to be believed: nothing is safe
   std::optional<Doubt> lost;   ///< why it is not to be believed where it looks: only away from there
   bool is_placed = false;      ///< what hides all from it is remembered as places: also to the side, and turning
-  std::string hint;            ///< what would free it then
+  std::string hint;            ///< what would free it then, or of what stands where nobody sees it
   std::optional<ZoneCap> cap;  ///< on what leads to where it looks
   bool is_touched = false;     ///< by what was lost: then slowly, though another sensor looks there
   bool is_reckoned = false;    ///< nobody knows well where it is: see Guard::by_ring

@@ -33,6 +33,21 @@ TEST(OutOfSight, WhatHasLeftThePictureStaysWhereItWas) {
   EXPECT_EQ(without.asked({0.0, -0.7, 0.0}).factor, 1.0);
 }
 
+TEST(OutOfSight, WhatWouldFreeWhoStandsForItIsSaid) {
+  RobotWithOdometry robot;
+  robot.passes(0.5, Scene({post(0.45f, 0.0f)}));
+  robot.turns(quarter, robot.hall);
+  EXPECT_EQ(robot.wants({0.0, -0.02, 0.0}).hint, "") << "it does not stand";
+  for (int i = 0; i < 13; ++i) {
+    robot.pose.place.x += 0.01;
+    robot.passes(0.05, robot.hall);
+  }
+  const Guarded& answer = robot.asked({0.0, -0.7, 0.0});
+  EXPECT_EQ(answer.factor, 0.0);
+  EXPECT_EQ(answer.sensor, "memory");
+  EXPECT_NE(answer.hint.find("memory_time"), std::string::npos) << answer.hint;
+}
+
 /// However little odometry is trusted: where a thing is is known the less, and it counts the more.
 TEST(OutOfSight, OdometryThatDriftsLetsNothingBeForgotten) {
   double before = 1.0;
