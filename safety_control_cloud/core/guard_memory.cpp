@@ -135,13 +135,14 @@ void GuardMemory::go_on_as_told(const Instant& now) {
 
 std::optional<Pose2> GuardMemory::note(std::size_t sensor, const Look& look, const Went& went, const Instant& now) {
   choose_whereabouts(look.stamp, went, now);
-  const auto robot = whereabouts_at(now.ros - look.stamp, went, now);
+  const double came_after = now.ros - look.stamp;  // [s]
+  const auto robot = whereabouts_at(came_after, went, now);
   if (robot) {
     if (recalled_ && by_odometry_ && !are_over(recalled_->stamp, now.ros, time_))
       place_recalled(look.stamp, *robot, went, now);
-    const auto as_told = went.given.whereabouts_at(now.steady - (now.ros - look.stamp));
+    const auto as_told = went.given.whereabouts_at(now.steady - came_after);
     latest_ = Latest{look.stamp, now.steady, *robot, as_told};
-    out_of_sight_.note(sensor, look, *robot, now.steady, way_during(look, went, now));
+    out_of_sight_.note(sensor, look, *robot, now.steady, came_after, way_during(look, went, now));
   } else {
     out_of_sight_.note_unplaced(sensor, now.steady);
   }

@@ -135,7 +135,7 @@ Look GuardSensor::take(const Reading& reading, const Origin& origin, const Outlo
   taken_->from = given.reckoned_at(now.steady - taken_->time_to_arrive);
   const double measures_from = taken_->is_scan ? std::max(least_of_scan, taken_->range_min + beyond_range_min)
                                                : own_.near_loss.blind_range + least_beyond;
-  return {reading, view, outlook, taken_->stamp(), measures_from, taken_->may_last(), looks_, taken_->time_to_arrive};
+  return {reading, view, outlook, taken_->stamp(), measures_from, taken_->may_last(), looks_};
 }
 
 double GuardSensor::taken_at(const Origin& origin, const Instant& now) const {

@@ -16,11 +16,10 @@ struct Look {
   const Reading& reading;
   View view;
   Outlook outlook;
-  double stamp;             ///< [s] ROS time, of when it was taken
-  double measures_from;     ///< [m] from here on, what is there returns
-  double lasts = 0.0;       ///< [s] from its stamp on in which its returns may have been taken
-  std::size_t number = 0;   ///< of the sensor's looks
-  double came_after = 0.0;  ///< [s] after its stamp
+  double stamp;            ///< [s] ROS time, of when it was taken
+  double measures_from;    ///< [m] from here on, what is there returns
+  double lasts = 0.0;      ///< [s] from its stamp on in which its returns may have been taken
+  std::size_t number = 0;  ///< of the sensor's looks
 };
 
 /// Which returns are near.

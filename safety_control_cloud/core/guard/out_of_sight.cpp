@@ -48,9 +48,9 @@ void add_to(std::vector<Ring>& rings, const Point2& place, double off) {
 
 }  // namespace
 
-void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now,
+void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now, double came_after,
                       const Pose2& meanwhile) {
-  drift(looks_.take_placed(sensor, robot, now, look.stamp, look.came_after), robot.pose.place);
+  drift(looks_.take_placed(sensor, robot, now, look.stamp, came_after), robot.pose.place);
   drop_what_is_over(now);
   if (!remembers()) return places_.clear();
   const SeenAt seen_at(look, limits_.vicinity);
@@ -106,13 +106,14 @@ const LooksTaken::Taken* OutOfSight::shown_by(const Place& place, double now) co
 void OutOfSight::keep(const NearReturn& seen, double now, double off, const Heights& stands) {
   const std::uint64_t key = key_of(seen.place, seen.height);
   const auto found = places_.find(key);
-  if (found == places_.end() && places_.size() >= most) return;
-  Place kept{seen.place.x, seen.place.y, seen.height, stands, looks_.latest(), now, now, off};
-  if (found != places_.end() && looks_.is_latest_older_than(found->second.look)) {
+  const bool is_kept = found != places_.end();
+  if (is_kept && looks_.is_latest_older_than(found->second.look)) {
     found->second.looks = looks_of(found->second);
     return;
   }
-  if (found != places_.end()) {
+  if (!is_kept && places_.size() >= most) return;
+  Place kept{seen.place.x, seen.place.y, seen.height, stands, looks_.latest(), now, now, off};
+  if (is_kept) {
     // what is back where a look saw past it has been elsewhere
     if (found->second.away == 0) kept.first_seen = found->second.first_seen;
     kept.looks = looks_of(found->second);

@@ -38,10 +38,11 @@ class OutOfSight {
   /// Goes on within other limits.
   void limit(OutOfSightLimits limits) { limits_ = std::move(limits); }
 
-  /// What `sensor` shows, the robot being there in the resting frame. `now` [s] steady. Of a cloud that is not
-  /// organised nothing is kept: nobody could tell what is seen behind it.
+  /// What `sensor` shows, the robot being there in the resting frame. `now` [s] steady, `came_after` [s] the look's
+  /// stamp. Of a cloud that is not organised nothing is kept: nobody could tell what is seen behind it.
   /// `meanwhile`: the way that the robot went while the look was being taken.
-  void note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now, const Pose2& meanwhile);
+  void note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now, double came_after,
+            const Pose2& meanwhile);
 
   /// `sensor` shows something, and nobody knows from where.
   void note_unplaced(std::size_t sensor, double now);
