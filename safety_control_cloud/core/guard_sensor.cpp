@@ -157,15 +157,14 @@ void GuardSensor::explain_loss(const std::vector<KnownPlace>& known, double now)
 }
 
 std::optional<Outlook> GuardSensor::outlook_if_blind(const Placing& placing) const {
-  const auto* doubt = std::get_if<Doubt>(&sensor_.answer());
   const auto* placement = std::get_if<Placement>(&placing);
-  const bool is_blind = doubt && doubt->cause == Cause::Blind && lost_.was_sound();
-  if (!is_blind || own_.input == InputKind::Scan || !taken_ || !placement) return std::nullopt;
+  if (!lost_.is_blind_only(sensor_.answer()) || own_.input == InputKind::Scan || !taken_ || !placement)
+    return std::nullopt;
   return sensor_.upright(Outlook({}, *placement));
 }
 
-void GuardSensor::explain_blindness(const std::vector<KnownPlace>& known) {
-  lost_.explain_blindness(sensor_.counted(), known, taken_->field, own_.near_loss.blind_range, own_.memory_time);
+void GuardSensor::explain_blindness(const std::vector<KnownPlace>& known, double now) {
+  lost_.explain_blindness(sensor_.counted(), known, taken_->field, own_.near_loss.blind_range, own_.memory_time, now);
 }
 
 void GuardSensor::wait(const Instant& now) {
@@ -211,9 +210,8 @@ Eye GuardSensor::eye_on_what_is_lost() const {
 
 std::optional<Known> GuardSensor::left_behind(const Known& known, double now) const {
   const double since = last_arrival_ ? now - *last_arrival_ : 0.0;
-  const bool is_kept_as_places = lost_.is_still_explained(now) && since <= own_.memory_time;
   const bool is_forgotten = Patience{since, own_.near_loss.timeout}.ends(0.0);
-  if (!lost_.has_any() || is_kept_as_places || is_forgotten) return std::nullopt;
+  if (!lost_.has_any() || lost_.is_still_explained(now) || is_forgotten) return std::nullopt;
   if (!known.doubt) return known;
   Known left;
   left.sensor = about_.name;

@@ -41,7 +41,7 @@ class GuardSensor {
   std::optional<Outlook> outlook_if_blind(const Placing& placing) const;
 
   /// What is known to be around it where it is blind: if that hides all from it, only the way ahead is closed.
-  void explain_blindness(const std::vector<KnownPlace>& known);
+  void explain_blindness(const std::vector<KnownPlace>& known, double now);
 
   /// Where the robot was is not known any more.
   void forget_poses() { lost_.forget_poses(); }

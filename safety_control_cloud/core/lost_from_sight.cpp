@@ -21,7 +21,7 @@ bool is_blind(const Answer& answer) {
 }  // namespace
 
 void LostFromSight::note(const Answer& answer, bool is_any_near) {
-  is_explained_ = false;
+  forget_explanation();
   if (is_blind(answer) && is_any_near) has_any_ = true;  // it may be before that
   if (std::holds_alternative<Doubt>(answer)) return;
   was_sound_ = true;
@@ -32,7 +32,7 @@ void LostFromSight::note(const Answer& answer, bool is_any_near) {
 void LostFromSight::judge(const Answer& answer) {
   const auto& seen = std::get<Seen>(answer);
   has_any_ = seen.loss.has_value();
-  is_ahead_ = has_any_ && seen.loss->cause == Cause::NearLoss && !is_explained_;
+  is_ahead_ = has_any_ && seen.loss->cause == Cause::NearLoss && !is_explained();
 }
 
 void LostFromSight::note_silence(const Answer& answer) {
@@ -54,9 +54,9 @@ bool LostFromSight::note_pose(const Answer& answer, const std::optional<Pose2>& 
 void LostFromSight::explain(const Answer& answer, const std::vector<KnownPlace>& known, const LatestLook& look,
                             double blind_range, double time, double now) {
   const Loss* lost = loss_in(answer);
-  is_explained_ =
-      lost && pose_ && is_known(*lost, known, {*pose_, look.outlook, look.field, look.eye, blind_range}, time, now);
-  explained_until_ = spots_.kept_until(time, now);
+  forget_explanation();
+  if (lost && pose_ && is_known(*lost, known, {*pose_, look.outlook, look.field, look.eye, blind_range}, time, now))
+    explained_until_ = spots_.kept_until(time, now);
   judge(answer);
 }
 
@@ -67,16 +67,17 @@ bool LostFromSight::is_known(const Loss& lost, const std::vector<KnownPlace>& kn
 }
 
 void LostFromSight::explain_blindness(const Sight& counted, const std::vector<KnownPlace>& known,
-                                      const FieldOfView& field, double blind_range, double time) {
+                                      const FieldOfView& field, double blind_range, double time, double now) {
   const double returned = static_cast<double>(counted.returns) / static_cast<double>(counted.total);
-  is_explained_ = returned <= few_returns && hides(known, {Span{0.0, 1.0}}, field, blind_range, returned);
-  explained_until_ = kept_until(known, field, blind_range, time);
+  forget_explanation();
+  if (returned <= few_returns && hides(known, {Span{0.0, 1.0}}, field, blind_range, returned))
+    explained_until_ = kept_until(known, field, blind_range, time, now);
 }
 
 void LostFromSight::forget_poses() {
   spots_.forget_places();
   pose_.reset();
-  is_explained_ = false;
+  forget_explanation();
 }
 
 void LostFromSight::forget() {
@@ -84,12 +85,13 @@ void LostFromSight::forget() {
   has_any_ = is_ahead_ = false;
 }
 
+bool LostFromSight::is_blind_only(const Answer& answer) const { return was_sound_ && is_blind(answer); }
+
 std::optional<Doubt> LostFromSight::doubt(const Answer& answer, std::size_t min_points) const {
-  if (!was_sound_) return std::nullopt;
-  if (is_blind(answer)) return std::get<Doubt>(answer);
+  if (is_blind_only(answer)) return std::get<Doubt>(answer);
   const auto* seen = std::get_if<Seen>(&answer);
-  if (!seen) return std::nullopt;
-  if (seen->loss && !is_explained_) return Doubt{seen->loss->cause, seen->loss->reason};
+  if (!was_sound_ || !seen) return std::nullopt;
+  if (seen->loss && !is_explained()) return Doubt{seen->loss->cause, seen->loss->reason};
   if (seen->sight.too_close > 0 && seen->sight.too_close + seen->sight.inside >= min_points)
     return Doubt{Cause::Seen, "something is too close to measure"};
   return std::nullopt;

@@ -39,10 +39,10 @@ class LostFromSight {
   /// The same of a camera that is blind, and counted so few returns: if that hides all from it, only the way ahead is
   /// closed.
   void explain_blindness(const Sight& counted, const std::vector<KnownPlace>& known, const FieldOfView& field,
-                         double blind_range, double time);
+                         double blind_range, double time, double now);
 
   /// What was known is kept within other limits, and nobody knows what of it.
-  void forget_explanation() { is_explained_ = false; }
+  void forget_explanation() { explained_until_.reset(); }
 
   /// Where the robot was is not known any more.
   void forget_poses();
@@ -58,11 +58,13 @@ class LostFromSight {
   /// Something in its corridor, of which nobody knows where it is.
   bool is_ahead() const { return is_ahead_; }
   /// All of it was known at the latest reading, or why the sensor was blind then.
-  bool is_explained() const { return is_explained_; }
+  bool is_explained() const { return explained_until_.has_value(); }
   /// And is known by `now` [s], though the sensor may have said nothing since.
-  bool is_still_explained(double now) const { return is_explained_ && now <= explained_until_; }
+  bool is_still_explained(double now) const { return explained_until_ && now <= *explained_until_; }
   /// Nothing but what it cannot see any more speaks against the sensor.
   bool was_sound() const { return was_sound_; }
+  /// That it is blind, and only that.
+  bool is_blind_only(const Answer& answer) const;
 
  private:
   void judge(const Answer& answer);
@@ -71,8 +73,8 @@ class LostFromSight {
 
   LostSpots spots_;
   std::optional<Pose2> pose_;  ///< of the robot, as it looked last
-  bool has_any_ = false, is_ahead_ = false, is_explained_ = false, was_sound_ = false;
-  double explained_until_ = 0.0;  ///< [s] steady: then the first of the places are forgotten that explain it
+  bool has_any_ = false, is_ahead_ = false, was_sound_ = false;
+  std::optional<double> explained_until_;  ///< [s] steady: then the first of the places are forgotten that explain it
 };
 
 }  // namespace safety_control_cloud

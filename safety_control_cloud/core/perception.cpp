@@ -111,7 +111,7 @@ void Perception::explain_blindness(std::size_t sensor, const Origin& origin, con
   const auto robot = memory_.by_odometry_at(blind.taken_at(origin, now), {odometry_, given}, now);
   if (!outlook || !robot) return;
   blind.note_picture_from(*outlook, robot->pose, now.steady);
-  blind.explain_blindness(memory_.resting(*outlook, *robot, now));
+  blind.explain_blindness(memory_.resting(*outlook, *robot, now), now.steady);
 }
 
 /// One sensor that is not required, and in doubt, is as good as not there, but for what it has lost; and not for a

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -87,6 +86,15 @@ class JustBeyond {
   double from_, to_;  ///< [m]
 };
 
+/// A place around the robot, as its camera has it, and by how much nearer that is than it was seen, so far ahead [m].
+struct ByNow {
+  ByNow(const Outlook& camera, const Point2& here, double height, double seen_ahead)
+      : there(camera.seen_from_camera(in_corridor_axes(here, height))), advance(seen_ahead - double{there.z}) {}
+
+  Point there;
+  double advance;  ///< [m]
+};
+
 std::size_t part_at(double share) {
   return static_cast<std::size_t>(std::clamp(std::floor(share * parts), 0.0, static_cast<double>(parts - 1)));
 }
@@ -121,8 +129,9 @@ bool hides(const std::vector<KnownPlace>& known, const std::vector<Span>& covere
   return left < most_left + left_over * parts;
 }
 
-double kept_until(const std::vector<KnownPlace>& known, const FieldOfView& field, double blind_range, double time) {
-  double until = std::numeric_limits<double>::infinity();
+double kept_until(const std::vector<KnownPlace>& known, const FieldOfView& field, double blind_range, double time,
+                  double now) {
+  double until = now + time;
   for (const KnownPlace& one : known)
     if (is_hiding(one, field, blind_range)) until = std::min(until, one.shown_at + time);
   return until;
@@ -165,8 +174,8 @@ bool LostSpots::have_moved(const std::vector<KnownPlace>& known, const Looking& 
   for (const auto& [seen, lost] : spots_) {
     if (!lost.place) continue;
     const Point2 here = seen_after(*lost.place);
-    const Point there = looking.camera.seen_from_camera(in_corridor_axes(here, lost.height));
-    if (just_beyond.holds(there, double{seen[2]} - double{there.z})) expected.push_back({here, &lost});
+    const ByNow spot(looking.camera, here, lost.height, seen[2]);
+    if (just_beyond.holds(spot.there, spot.advance)) expected.push_back({here, &lost});
   }
   const double some = (1.0 - nearly_all) * static_cast<double>(spots_.size());
   if (static_cast<double>(expected.size()) <= some) return false;
@@ -184,7 +193,7 @@ bool LostSpots::have_moved(const std::vector<KnownPlace>& known, const Looking& 
 bool LostSpots::is_forgotten(const Lost& lost, double time, double now) { return now - lost.since > time - going; }
 
 double LostSpots::kept_until(double time, double now) const {
-  double until = std::numeric_limits<double>::infinity();
+  double until = now + time;
   for (const auto& [seen, lost] : spots_)
     if (!is_forgotten(lost, time, now)) until = std::min(until, lost.since + time - going);
   return until;
@@ -207,8 +216,8 @@ bool LostSpots::are_among(const std::vector<KnownPlace>& known, const Looking& l
     const bool is_old = is_forgotten(lost, time, now);
     const Point2 here = seen_after(*lost.place);
     if (is_old && looking.eye.sees(here)) return false;
-    const Point there = looking.camera.seen_from_camera(in_corridor_axes(here, lost.height));
-    if (is_old || is_near_one(here, lost, double{seen[2]} - double{there.z})) ++known_ones;
+    const ByNow spot(looking.camera, here, lost.height, seen[2]);
+    if (is_old || is_near_one(here, lost, spot.advance)) ++known_ones;
   }
   return known_ones >= nearly_all * static_cast<double>(spots_.size());
 }

@@ -39,9 +39,10 @@ struct Looking {
 bool hides(const std::vector<KnownPlace>& known, const std::vector<Span>& covered, const FieldOfView& field,
            double blind_range, double left_over = 0.0);
 
-/// Until when [s] all of it is kept that hides anything, each for `time` [s] since it was shown; infinite if nothing
-/// does.
-double kept_until(const std::vector<KnownPlace>& known, const FieldOfView& field, double blind_range, double time);
+/// Until when [s] all of it is kept that hides anything, each for `time` [s] since it was shown, which none is after
+/// `now`.
+double kept_until(const std::vector<KnownPlace>& known, const FieldOfView& field, double blind_range, double time,
+                  double now);
 
 /// Where in a frame that rests the things are that a camera has lost from sight.
 class LostSpots {
@@ -71,7 +72,7 @@ class LostSpots {
   /// known but what lies elsewhere than where the eye looks: one that is left would speak for another beside it.
   bool are_among(const std::vector<KnownPlace>& known, const Looking& looking, double time, double now) const;
 
-  /// Until when their places are kept for `time` [s], of those of which they are by `now`; infinite if of none.
+  /// Until when all their places are kept that are kept by `now`, each for `time` [s].
   double kept_until(double time, double now) const;
 
   /// Whether the camera would see some of them if they rested where they were, a little beyond its blind range, and
