@@ -15,6 +15,7 @@ TESTED_AS = {
     "guard/pose": "guard_test: what may have gone several ways",
     "guard/facing": "guard/guard_settings_test and perception_test: what asks it",
     "guard/seen_at": "guard/forgetting_test and out_of_sight_test: what asks it",
+    "guard/lost_spots": "guard/known_places_alone_test; and known_places_test: what becomes of a robot by them",
     "guard_sensor": "perception_test: several of them",
     "lost_from_sight": "guard/known_places_test and blindness_test: what becomes of a robot by it",
     "sensor_settings": "guard/guard_settings_test and perception_test",

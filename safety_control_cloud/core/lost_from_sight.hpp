@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "guard/known_places.hpp"
+#include "guard/lost_spots.hpp"
 #include "latest_look.hpp"
 #include "sensor.hpp"
 

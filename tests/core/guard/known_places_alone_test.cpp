@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "../../../safety_control_cloud/core/guard/known_places.hpp"
+#include "../../../safety_control_cloud/core/guard/lost_spots.hpp"
 #include "xtion.hpp"
 
 namespace safety_control_cloud {
