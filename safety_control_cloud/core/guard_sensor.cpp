@@ -76,7 +76,7 @@ std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origi
   sensor_.see(reading, facing, now, Crop::Skip, alongside ? &*alongside : nullptr);
   is_new_picture_ = sensor_.picture() != before;
   lost_.note(sensor_.answer(), sensor_.is_any_near());
-  if (std::holds_alternative<Doubt>(sensor_.answer())) return std::nullopt;
+  if (std::holds_alternative<Doubt>(sensor_.answer()) || sensor_.repeats()) return std::nullopt;
   const Outlook upright = sensor_.upright(std::get<Outlook>(outlook));  // there is, or nothing were seen
   return take(reading, origin, upright, now, given);
 }

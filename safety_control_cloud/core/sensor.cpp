@@ -46,6 +46,7 @@ void gather_all(const View& view, const Alongside& alongside) {
 Sensor::Sensor(const Settings& settings) : settings_(settings), near_loss_(settings.near_loss) {}
 
 void Sensor::adopt(const Settings& settings) {
+  seen_.reset();
   if (settings.target_frame != settings_.target_frame) near_loss_.change_axes();
   if (!same_corridor(settings, settings_)) near_loss_.change_corridor();
   near_loss_.limit(settings.near_loss);
@@ -58,6 +59,7 @@ void Sensor::turn_corridor(const Settings& settings, double angle) {
 }
 
 void Sensor::forget_losses() {
+  seen_.reset();
   recalled_ = false;
   near_loss_.forget();
   stamps_.forget();
@@ -76,6 +78,7 @@ bool Sensor::recall(const std::string& remembered) {
   const bool is_placed = reader.word() == in_frame;
   const std::string frame = is_placed ? reader.word() : "";
   if (!near_loss_.restore(is_placed ? reader.rest() : remembered)) return false;
+  seen_.reset();
   if (frame != settings_.target_frame) near_loss_.change_axes();
   recalled_ = near_loss_.is_any_near();
   return true;
@@ -135,11 +138,12 @@ Answer Sensor::look_at(const Reading& reading, const Outlook& outlook, const Ori
   if (blind && !aim) near_loss_.note_blind(upright, sight, in_upright, now);
   if (blind || aim) return blind ? *std::move(blind) : *std::move(aim);
   if (auto doubt = frozen_.note(view, origin.stamp, settings_.frozen_clouds)) return *std::move(doubt);
+  if (repeats() && seen_) return Seen{counted_, seen_->loss, seen_->is_cut_off};
   auto loss = near_loss_.judge(upright, sight, in_upright, now);
   const bool is_cut_off = near_loss_.cuts_off(sight, in_upright);
   recalled_ = recalled_ && loss;
   if (recalled_) loss->reason += ", as before this start";
-  return Seen{counted_, std::move(loss), is_cut_off};
+  return seen_.emplace(Seen{counted_, std::move(loss), is_cut_off});
 }
 
 }  // namespace safety_control_cloud

@@ -83,6 +83,10 @@ class Sensor {
   /// Whether what another process lost is lost still, for all that this one has seen.
   bool is_recalled() const { return recalled_; }
 
+  /// Whether the latest reading is the one before once more, with `frozen_clouds` on: it tells nothing of what is
+  /// there now, and less if it is placed elsewhere. What is lost is what was lost then.
+  bool repeats() const { return frozen_.repeats(); }
+
   /// The number of the latest reading in which anything near was looked for; a new one only if that was the latest.
   std::uint32_t picture() const { return near_loss_.picture(); }
 
@@ -114,6 +118,7 @@ class Sensor {
   NearLoss near_loss_;
   bool recalled_ = false;               ///< what is lost was lost by another process
   std::optional<double> last_arrival_;  ///< [s] steady
+  std::optional<Seen> seen_;            ///< what was believed last, by these settings
   Answer answer_ = Doubt{Cause::NoCloud, "no cloud has arrived yet"};
   Sight counted_;
 };

@@ -83,6 +83,23 @@ TEST(Sensor, SameCloudSentAgainIsNoFrozenCamera) {
   EXPECT_EQ(said_of(view_of(free_way), sensor, Origin{1.0}, {1.1, 1.1}), Cause::Seen) << "its stamp will give it away";
 }
 
+/// It takes two clouds that show the floor before a kerb again, for that to have gone.
+TEST(Sensor, WhatIsSeenInARepeatedCloudIsSeenOnce) {
+  Settings settings;
+  settings.frozen_clouds = 100;
+  Sensor sensor{settings};
+  auto is_lost = [&, now = 1.0](const Scene& scene) mutable {
+    now += 0.05;
+    sensor.see(scene.view(), Origin{now}, {now, now});
+    return std::get<Seen>(sensor.answer()).loss.has_value();
+  };
+  for (const float z : {0.74f, 0.72f, 0.70f, 0.66f, 0.63f})
+    EXPECT_TRUE(is_lost(Scene({{z, -0.2f, 0.2f, floor_y - 0.05f, floor_y}}))) << z;
+  const Scene free;
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(is_lost(free)) << i;
+  EXPECT_FALSE(is_lost(Scene({{4.0f, -0.2f, 0.2f, -0.3f, floor_y}})));
+}
+
 TEST(Sensor, WhileRosTimeIsZeroNoStampIsBelieved) {
   Sensor sensor{Settings{}};
   EXPECT_EQ(said_in_silence(sensor, {1.0, 0.0}), Cause::NoTime);

@@ -55,10 +55,12 @@ std::uint64_t hash_of(const DepthView& image) {
 }  // namespace
 
 std::optional<Doubt> FrozenWatch::note(const View& view, double stamp, std::size_t most) {
+  repeats_ = false;
   if (most == 0) return std::nullopt;
   const std::uint64_t content = std::visit([](const auto& points) { return hash_of(points); }, view);
-  if (content != content_) same_ = 0;
-  const bool again = same_ > 0 && stamp == stamp_;
+  repeats_ = same_ > 0 && content == content_;
+  if (!repeats_) same_ = 0;
+  const bool again = repeats_ && stamp == stamp_;
   if (!again || twice_) ++same_;
   twice_ = again;
   content_ = content;

@@ -19,10 +19,14 @@ class FrozenWatch {
   /// does not count, a third and later time it does.
   std::optional<Doubt> note(const View& view, double stamp, std::size_t most);
 
+  /// Whether the latest was the one before once more: nothing was looked at anew.
+  bool repeats() const { return repeats_; }
+
  private:
   std::uint64_t content_ = 0;  ///< hash of the latest cloud's points
   double stamp_ = 0.0;
   bool twice_ = false;  ///< the latest stamp has come again
+  bool repeats_ = false;
   std::size_t same_ = 0;
 };
 

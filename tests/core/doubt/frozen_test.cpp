@@ -79,6 +79,22 @@ TEST(Frozen, CloudThatIsDeliveredTwiceIsNotFrozen) {
   EXPECT_FALSE(watch.note(picture.view(), 1.0, 2));
 }
 
+TEST(Frozen, WhatComesAgainRepeatsWhateverItsStamp) {
+  const Picture picture;
+  Picture other;
+  other.point(7).z += 0.001f;
+  FrozenWatch watch;
+  const auto repeats = [&](const Picture& shown, double stamp, std::size_t most) {
+    watch.note(shown.view(), stamp, most);
+    return watch.repeats();
+  };
+  EXPECT_FALSE(repeats(picture, 1.0, 10));
+  EXPECT_TRUE(repeats(picture, 1.1, 10));
+  EXPECT_TRUE(repeats(picture, 1.1, 10));
+  EXPECT_FALSE(repeats(other, 1.2, 10));
+  EXPECT_FALSE(repeats(other, 1.3, 0)) << "nobody asks";
+}
+
 TEST(Frozen, StampThatStandsStillDoesNotHideAFrozenDepth) {
   const Picture picture;
   FrozenWatch watch;
