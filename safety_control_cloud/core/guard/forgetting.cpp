@@ -27,6 +27,7 @@ Forgetting::Forgetting(const Look& look, const SeenAt& seen_at, const LooksTaken
       seen_at_(seen_at),
       looks_(looks),
       sensor_(looks.find(looks.latest())->sensor),
+      is_scan_(std::holds_alternative<ScanView>(look.reading)),
       robot_(robot),
       by_look_(by_look),
       now_(now),
@@ -51,7 +52,7 @@ bool Forgetting::has_gone(RememberedPlace& place) {
   }
   if (is_known && seen == AtPlace::NotThere && grows_old(place) && seen_at_.goes_on_in_picture(asked.there))
     keep_with_what_is_shown(place, since);
-  const bool is_measured = asked.there.getVector3fMap().norm() >= static_cast<float>(look_.measures_from + off);
+  const bool is_measured = measured_from(asked.there) >= look_.measures_from + off;
   if (showed_it(place)) place.is_too_near = seen == AtPlace::Nothing && !is_measured;
   return is_proven(place, seen, is_measured);
 }
@@ -60,8 +61,11 @@ bool Forgetting::has_gone(RememberedPlace& place) {
 bool Forgetting::showed_it(const RememberedPlace& place) const { return looks_.find(place.look)->sensor == sensor_; }
 
 /// A scan is, of what it showed: what a camera saw a few millimetres beside its plane it looks past.
-bool Forgetting::is_asked_of(const RememberedPlace& place) const {
-  return !std::holds_alternative<ScanView>(look_.reading) || showed_it(place);
+bool Forgetting::is_asked_of(const RememberedPlace& place) const { return !is_scan_ || showed_it(place); }
+
+/// [m] A camera is blind by depth: at the side of a wide picture, what lies as near is farther away than that.
+double Forgetting::measured_from(const Point& there) const {
+  return is_scan_ ? there.getVector3fMap().norm() : there.z;
 }
 
 Point Forgetting::from_camera(const Point2& here, float height) const {
@@ -85,14 +89,13 @@ AtPlace Forgetting::seen_of(const RememberedPlace& place, const Asked& asked) {
     if (seen != AtPlace::NotThere) seen = std::min(seen, seen_at_(from_camera(at, place.z), asked.off, aside));
   };
   for (const Pose2& way : way_since_.or_else(place.look)) ask_also_at(SeenAfter(way)(here));
-  const bool is_scan = std::holds_alternative<ScanView>(look_.reading);
   const double drift = unknown_drift(place);
   if (drift > 0.0) {
     const Point2 away = (drift / distance) * here;
     ask_also_at(here - away);
     ask_also_at(here + away);
   }
-  const double sideways = drift + (is_scan ? 0.0 : by_look_.at(asked.range));
+  const double sideways = drift + (is_scan_ ? 0.0 : by_look_.at(asked.range));
   if (sideways > 0.0) {
     const Point2 left = (sideways / distance) * Point2{-here.y, here.x};
     ask_also_at(here + left);

@@ -30,6 +30,7 @@ class Forgetting {
 
   bool showed_it(const RememberedPlace& place) const;
   bool is_asked_of(const RememberedPlace& place) const;
+  double measured_from(const Point& there) const;
   Point from_camera(const Point2& here, float height) const;
   AtPlace seen_of(const RememberedPlace& place, const Asked& asked);
   double unknown_drift(const RememberedPlace& place) const;
@@ -41,6 +42,7 @@ class Forgetting {
   const SeenAt& seen_at_;
   const LooksTaken& looks_;
   std::size_t sensor_;  ///< whose look is the latest
+  bool is_scan_;
   const Whereabouts& robot_;
   Drift by_look_;
   double now_, time_;
