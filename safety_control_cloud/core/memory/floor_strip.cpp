@@ -109,8 +109,8 @@ void FloorStrip::note_blank() {
 NearGround::Code FloorStrip::learned(const NearGround& ground, std::size_t row) {
   const Code* codes = ground.row(row);
   Code now = 0;
-  for (std::size_t i = 1; i < ground.columns(); ++i)
-    now = std::max(now, std::min(codes[i - 1], codes[i]));  // one alone may be noise
+  for (std::size_t i = 3; i < ground.columns(); ++i)  // fewer may be strays, where the floor is too near to return
+    now = std::max(now, std::min({codes[i - 3], codes[i - 2], codes[i - 1], codes[i]}));
   Code& lowest = lowest_[row];
   const float height = camera_height_.value_or(0.0f);
   if (now > 0) {  // a blank row speaks against nothing

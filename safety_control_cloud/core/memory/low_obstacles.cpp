@@ -17,6 +17,9 @@ constexpr std::int16_t step_height = 25;
 /// By which the floor may lie higher than it did and still be the floor [mm]: at 0.7 m, a pitch of 1.2 degrees.
 constexpr std::int16_t floor_tolerance = 15;
 
+/// By which the heights of two pixels of the same ground may differ [mm].
+constexpr std::int16_t same_ground = 15;
+
 /// A post of 2 cm at 0.7 m, where an Xtion loses the floor, takes 1/40 of its 60 degrees.
 constexpr std::size_t post_share_of_width = 40;
 
@@ -27,6 +30,8 @@ constexpr double border_share = 0.01;
 constexpr NearGround::Code none = std::numeric_limits<NearGround::Code>::max();
 
 NearGround::Code ground_now(NearGround::Code code) { return code < 0 ? none : code; }
+
+bool is_same_ground(NearGround::Code one, NearGround::Code other) { return std::abs(one - other) <= same_ground; }
 
 bool is_on_step(std::int16_t ground, std::int16_t floor) { return ground <= floor - step_height; }
 
@@ -43,13 +48,25 @@ std::size_t columns_of(const Frame& frame) {
   return (frame.width + step - 1) / step;
 }
 
-/// What a column shows lowest, in the corridor's axes, if that lies elsewhere than near and in the corridor.
-std::optional<Point> lowest_elsewhere(std::size_t column, const NearGround& ground, const Pixels& picture,
-                                      const Outlook& outlook) {
+/// Two pictures may show the same floor so many rows apart.
+constexpr std::int16_t same_row = 1;
+
+constexpr std::int16_t no_row = std::numeric_limits<std::int16_t>::max();
+
+/// What a column shows lowest, in the corridor's axes.
+struct Lowest {
+  Point place;
+  std::int16_t row;
+};
+
+/// If that lies elsewhere than near and in the corridor.
+std::optional<Lowest> lowest_elsewhere(std::size_t column, const NearGround& ground, const Pixels& picture,
+                                       const Outlook& outlook) {
   std::size_t row = 0;
   while (row < ground.rows() && ground.row(row)[column] == NearGround::nothing) ++row;
   if (row == ground.rows() || ground.row(row)[column] != NearGround::elsewhere) return std::nullopt;
-  return placed(picture.at(ground.picture_row(row), ground.picture_column(column)), outlook);
+  return Lowest{placed(picture.at(ground.picture_row(row), ground.picture_column(column)), outlook),
+                static_cast<std::int16_t>(row)};
 }
 
 /// Of a column, in pixels of the picture.
@@ -83,6 +100,7 @@ void LowObstacles::move_to(const Frame& frame) {
   const std::size_t columns = columns_of(frame);
   floor_ = stretched(frame_.rays.across ? std::vector<Millimetres>{} : std::move(floor_), columns);
   beside_.clear();
+  step_row_.clear();
   frame_ = frame;
   for (const Beside& step : steps) {
     if (!shows(step)) beside_.push_back(step);
@@ -98,6 +116,7 @@ void LowObstacles::move_to(float camera_height, float off) {
   if (!camera_height_) camera_height_ = camera_height;
   const auto up = static_cast<int>(std::lround(1000.0f * (camera_height - *camera_height_)));  // [mm]
   if (up == 0) return;
+  step_row_.clear();
   *camera_height_ += static_cast<float>(up) / 1000.0f;  // what is left counts with the next
   const auto moved = [=](Millimetres floor) { return static_cast<Millimetres>(std::clamp(floor + up, 1, none - 1)); };
   for (Millimetres& floor : floor_)
@@ -109,11 +128,11 @@ void LowObstacles::move_to(float camera_height, float off) {
 std::vector<LowObstacles::Beside> LowObstacles::all_steps() const {
   std::vector<Beside> steps = beside_;
   const auto& across = frame_.rays.across;
-  const bool any = any_adjacent(post_share_of_width, floor_.size(), [this](std::size_t i) { return is_step(i); });
+  const bool any = any_adjacent(post_share_of_width, floor_.size(), [this](std::size_t i) { return is_kept(i); });
   if (!across || !any) return steps;
   const double half = 0.5 * static_cast<double>(NearGround::column_step_of(frame_.width));
   for (std::size_t i = 0; i < floor_.size(); ++i) {
-    if (!is_step(i)) continue;
+    if (!is_kept(i)) continue;
     const double middle = middle_of(i, frame_);
     const auto [from, to] = std::minmax({across->slant(middle - half), across->slant(middle + half)});
     const auto since = i < hidden_since_.size() ? std::optional(hidden_since_[i]) : std::nullopt;
@@ -136,25 +155,39 @@ void LowObstacles::survey(const NearGround& ground, const Pixels& picture, const
   note(ground);
   look_beside(ground, picture, outlook);
   for (std::size_t i = 0; i < ground.columns(); ++i)
-    if (!shows_step(i, ground) && !hides_floor(i)) floor_[i] = 0;
+    if (shown_[i] == 0 && !hides_floor(i)) floor_[i] = 0;
 }
 
 /// In a column that shows no near ground in the corridor, near ground beside it is as good: nothing hides it.
 void LowObstacles::look_beside(const NearGround& ground, const Pixels& picture, const Outlook& outlook) {
   const Point camera = outlook.camera();
   for (std::size_t i = 0; i < ground.columns(); ++i) {
-    if (!is_step(i) || lowest_[i] != none) continue;
-    const auto place = lowest_elsewhere(i, ground, picture, outlook);
-    if (place && place->z - camera.z < ground.distance() && place->y > outlook.corridor.y_max)
-      lowest_[i] = static_cast<Millimetres>(std::lround(1000.0f * (place->y - camera.y)));
+    if (!is_kept(i) || lowest_[i] != none) continue;
+    const auto lowest = lowest_elsewhere(i, ground, picture, outlook);
+    if (!lowest || lowest->place.z - camera.z >= ground.distance() || lowest->place.y <= outlook.corridor.y_max)
+      continue;
+    lowest_[i] = static_cast<Millimetres>(std::lround(1000.0f * (lowest->place.y - camera.y)));
+    lowest_row_[i] = lowest->row;
   }
 }
 
 /// Nearer, the lowest pixel shows more and more of the step.
 void LowObstacles::note(const NearGround& ground) {
   look_at(ground);
-  for (std::size_t i = 0; i < ground.columns(); ++i)
-    if (shows_step(i, ground)) floor_[i] = std::max(floor_[i], lowest_[i]);
+  for (std::size_t i = 0; i < ground.columns(); ++i) {
+    if (!shows_step(i, ground)) continue;
+    shown_[i] = lowest_[i] == none ? floor_[i] : lowest_[i];
+    if (lowest_of_two(i) == none) continue;
+    if (!is_kept(i)) step_row_[i] = no_row;
+    floor_[i] = std::max(floor_[i], lowest_of_two(i));
+    step_row_[i] = std::min(step_row_[i], first_above_[i]);
+  }
+}
+
+/// Of this cloud and the one before, what both show.
+LowObstacles::Millimetres LowObstacles::lowest_of_two(std::size_t column) const {
+  const Millimetres now = lowest_[column], before = lowest_before_[column];
+  return now == none || before == none ? none : std::min(now, before);
 }
 
 /// One pixel alone may be noise.
@@ -163,11 +196,19 @@ bool LowObstacles::shows_step(std::size_t column, const NearGround& ground) cons
 }
 
 void LowObstacles::look_at(const NearGround& ground) {
-  floor_ = stretched(std::move(floor_), ground.columns());
-  lowest_.assign(ground.columns(), none);
-  above_.assign(ground.columns(), 0);
+  const std::size_t columns = ground.columns();
+  floor_ = stretched(std::move(floor_), columns);
+  std::swap(lowest_, lowest_before_);
+  std::swap(lowest_row_, lowest_row_before_);
+  if (lowest_before_.size() != columns)
+    lowest_before_.assign(columns, none), lowest_row_before_.assign(columns, no_row);
+  if (step_row_.size() != columns) step_row_.assign(columns, no_row);
+  lowest_.assign(columns, none);
+  for (auto* rows : {&lowest_row_, &first_above_}) rows->assign(columns, no_row);
+  for (auto* row : {&row_, &row_below_}) row->assign(columns + 2, none);
+  for (auto* counts : {&shown_, &above_}) counts->assign(columns, 0);
   for (std::size_t row = 0; row < ground.rows(); ++row) {
-    if (ground.shows_ground(row)) look_at_row(ground.row(row));  // all others change nothing
+    if (ground.shows_ground(row)) look_at_row(static_cast<Row>(row), ground.row(row));  // all others change nothing
   }
 }
 
@@ -185,27 +226,45 @@ void LowObstacles::forget_old(const Patience& patience) {
 }
 
 /// A step that is kept goes on as one while its foot leaves the picture: what is left of it need be no step by itself.
-void LowObstacles::look_at_row(const Millimetres* codes) {
-  Millimetres *lowest = lowest_.data(), *above = above_.data();
-  const Millimetres* const kept = floor_.data();
-  for (std::size_t i = 0, width = lowest_.size(); i < width; ++i) {
-    const Millimetres ground = ground_now(codes[i]);
-    lowest[i] = lowest[i] == none ? ground : lowest[i];
-    above[i] = static_cast<Millimetres>(above[i] + is_on_step(ground, std::max(lowest[i], kept[i])));
+void LowObstacles::look_at_row(Row number, const Millimetres* codes) {
+  std::swap(row_, row_below_);
+  Millimetres *lowest = lowest_.data(), *above = above_.data(), *row = row_.data() + 1;
+  Row *lowest_row = lowest_row_.data(), *first_above = first_above_.data();
+  const Millimetres *const kept = floor_.data(), *const below = row_below_.data() + 1;
+  const std::size_t width = lowest_.size();
+  for (std::size_t i = 0; i < width; ++i) row[i] = ground_now(codes[i]);
+  for (std::size_t i = 0; i < width; ++i) {
+    const Millimetres ground = row[i];
+    const bool is_shown_twice =
+        is_same_ground(ground, row[i - 1]) || is_same_ground(ground, row[i + 1]) || is_same_ground(ground, below[i]);
+    const bool is_lowest = lowest[i] == none && is_shown_twice && ground != none;
+    lowest[i] = is_lowest ? ground : lowest[i];
+    lowest_row[i] = is_lowest ? number : lowest_row[i];
+    const Millimetres floor = std::max(lowest[i] == none ? Millimetres{0} : lowest[i], kept[i]);
+    const bool is_above = is_on_step(ground, floor);
+    above[i] = static_cast<Millimetres>(above[i] + is_above);
+    first_above[i] = is_above && first_above[i] == no_row ? number : first_above[i];
   }
 }
 
 bool LowObstacles::hides_floor(std::size_t column) const {
-  if (!is_step(column)) return false;
-  if (lowest_[column] == none) return true;  // nothing says that the floor is there again
-  return lowest_[column] + floor_tolerance < floor_[column] + off_;
+  if (!is_kept(column)) return false;
+  const Millimetres lowest = lowest_of_two(column);
+  if (lowest == none) return true;  // nothing says that the floor is there again
+  return lowest + floor_tolerance < floor_[column] + off_ || !is_as_low_as_step(column);
+}
+
+/// What two clouds show lowest.
+bool LowObstacles::is_as_low_as_step(std::size_t column) const {
+  const Row row = std::max(lowest_row_[column], lowest_row_before_[column]);
+  return step_row_[column] == no_row || row <= step_row_[column] + same_row;
 }
 
 /// By what its column shows lowest.
 void LowObstacles::drop_what_lies_beside(const NearGround& ground, const Pixels& picture, const Outlook& outlook) {
   for (std::size_t i = 0; i < ground.columns(); ++i) {
-    const auto place = lowest_elsewhere(i, ground, picture, outlook);
-    if (place && !outlook.corridor.spans(place->x)) floor_[i] = 0;
+    const auto lowest = lowest_elsewhere(i, ground, picture, outlook);
+    if (lowest && !outlook.corridor.spans(lowest->place.x)) floor_[i] = 0;
   }
 }
 
@@ -214,7 +273,7 @@ std::optional<Obstacle> LowObstacles::nearest(const NearGround& ground, const Pi
   std::optional<Obstacle> found;
   for (std::size_t i = 0; i < ground.columns(); ++i) {
     std::size_t row = is_step(i) ? 0 : ground.rows();
-    while (row < ground.rows() && !is_on_step(ground_now(ground.row(row)[i]), floor_[i])) ++row;
+    while (row < ground.rows() && !is_on_step(ground_now(ground.row(row)[i]), floor_before(i))) ++row;
     if (row == ground.rows()) continue;
     const Obstacle obstacle{placed(picture.at(ground.picture_row(row), ground.picture_column(i)), outlook)};
     if (!found || obstacle.distance() < found->distance()) found = obstacle;

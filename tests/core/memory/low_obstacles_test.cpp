@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "looking_robot.hpp"
 
 namespace safety_control_cloud {
@@ -16,6 +18,12 @@ Scene with_plateau(float z, float height) {
   std::vector<Board> boards;
   for (float behind = z; behind < 0.9f; behind += 0.005f) boards.push_back(kerb(behind, height));
   return Scene(boards);
+}
+
+/// What one cloud alone shows is neither kept nor does it make anything forgotten.
+Decision after_two(Robot& robot, const Scene& scene) {
+  robot.sees(scene);
+  return robot.sees(scene);
 }
 
 TEST(LowObstacles, RobotSlowsBeforeAKerbAndStandsWhileItIsStillInSight) {
@@ -33,13 +41,13 @@ TEST(LowObstacles, RobotSlowsBeforeAKerbAndStandsWhileItIsStillInSight) {
       EXPECT_EQ(decision.cause, Cause::LowObstacle) << height << " at " << z;
       EXPECT_EQ(decision.speed, 0.0) << height << " at " << z;
     }
-    EXPECT_EQ(robot.sees(Scene()).speed, 0.2) << "the floor before it is seen again";
+    EXPECT_EQ(after_two(robot, Scene()).speed, 0.2) << "the floor before it is seen again";
   }
 }
 
 TEST(LowObstacles, RobotSlowsBeforeAStepOfThreeCentimetres) {
   Robot robot;
-  EXPECT_EQ(robot.sees(with_plateau(0.72f, 0.03f)).speed, 0.1);
+  EXPECT_EQ(after_two(robot, with_plateau(0.72f, 0.03f)).speed, 0.1);
   EXPECT_EQ(robot.sees(with_plateau(0.64f, 0.03f)).speed, 0.0);
 }
 
@@ -53,7 +61,7 @@ TEST(LowObstacles, NoneIsForgottenWhileItsFootLeavesThePicture) {
       EXPECT_LT(decision.speed, 0.2) << height << " at " << z;
     }
     EXPECT_EQ(robot.sees(with_plateau(0.64f, height)).speed, 0.0) << height;
-    EXPECT_EQ(robot.sees(Scene()).speed, 0.2) << "the floor before it is seen again";
+    EXPECT_EQ(after_two(robot, Scene()).speed, 0.2) << "the floor before it is seen again";
   }
 }
 
@@ -75,7 +83,7 @@ TEST(LowObstacles, CorridorOnTheFloorSeesTheSameKerb) {
   EXPECT_EQ(robot.sees({kerb(1.0f, 0.05f)}).speed, 0.2);
   EXPECT_EQ(robot.sees({kerb(0.74f, 0.05f)}).cause, Cause::LowObstacle);
   EXPECT_EQ(robot.sees({kerb(0.62f, 0.05f)}).speed, 0.0);
-  EXPECT_EQ(robot.sees(Scene()).speed, 0.2);
+  EXPECT_EQ(after_two(robot, Scene()).speed, 0.2);
 }
 
 TEST(LowObstacles, NearerThanAnEdgeThatFlickersDecides) {
@@ -105,7 +113,7 @@ TEST(LowObstacles, RobotStandsForAsLongAsAPlateauFillsItsView) {
   Robot robot;
   for (const float z : {0.76f, 0.74f, 0.72f, 0.70f}) robot.sees(with_plateau(z, 0.05f));
   for (int i = 0; i < 200; ++i) EXPECT_EQ(robot.sees(with_plateau(0.62f, 0.05f)).speed, 0.0);
-  EXPECT_EQ(robot.sees(Scene()).speed, 0.2);
+  EXPECT_EQ(after_two(robot, Scene()).speed, 0.2);
 }
 
 TEST(LowObstacles, RobotStandsForAKerbThatHasComeTooNearToReturn) {
@@ -125,7 +133,9 @@ TEST(LowObstacles, AKerbOutlivesAChangeOfResolution) {
   Robot robot;
   for (const float z : {0.74f, 0.72f, 0.70f}) robot.sees(with_plateau(z, 0.05f));
   EXPECT_EQ(robot.sees(halved(with_plateau(0.6f, 0.05f).view())).speed, 0.0);
-  EXPECT_EQ(robot.sees(halved(Scene().view())).speed, 0.2);
+  const Scene free;
+  robot.sees(halved(free.view()));
+  EXPECT_EQ(robot.sees(halved(free.view())).speed, 0.2);
 }
 
 /// Somebody turns a knob while the robot stands before a kerb that hides the floor.
@@ -140,7 +150,7 @@ TEST(LowObstacles, AKerbOutlivesAChangeOfTheCorridorThatHoldsItStill) {
       robot.control().adopt(other);
       for (int i = 0; i < 10; ++i)
         EXPECT_EQ(robot.sees(with_plateau(0.6f, 0.05f)).cause, Cause::LowObstacle) << x_max << ", " << y_max;
-      EXPECT_EQ(robot.sees(Scene()).speed, 0.2);
+      EXPECT_EQ(after_two(robot, Scene()).speed, 0.2);
     }
   }
 }
@@ -203,7 +213,7 @@ TEST(LowObstacles, RobotDrivesOnWhenAShoeHasLeftTheCorridorAside) {
         for (float x = step; std::abs(x) < x_max; x += step)
           EXPECT_LT(robot.sees({shoe(x)}).speed, 0.2) << z << ", " << x;
         for (float x = x_max; x < 0.6f; x += 0.05f) robot.sees({shoe(std::copysign(x, step))});
-        EXPECT_EQ(robot.sees(Scene()).speed, 0.2) << z << ", " << step << ", " << x_max;
+        EXPECT_EQ(after_two(robot, Scene()).speed, 0.2) << z << ", " << step << ", " << x_max;
       }
     }
   }
@@ -220,6 +230,29 @@ TEST(LowObstacles, ResetForgetsThemAndSoDoesSwitchingTheMemoryOff) {
   settings.near_loss.distance = 0.0;
   Robot blunt(settings);
   for (const float z : {0.74f, 0.72f, 0.70f, 0.65f}) EXPECT_EQ(blunt.sees({kerb(z, 0.085f)}).speed, 0.2);
+}
+
+/// An Astra, whose lowest rows look at floor that is too near for it: every stray there is lower than any floor.
+TEST(LowObstacles, StraysWhereTheFloorIsTooNearAreNoFloorBeforeAStep) {
+  for (const double share : {0.01, 0.03, 0.1}) {
+    Settings settings;
+    settings.near_loss.blind_range = 0.75;
+    settings.near_loss.distance = 0.95;
+    Robot robot(settings);
+    std::mt19937 random(3);
+    const auto among_strays = [&](std::vector<Board> boards) {
+      boards.push_back({3.0f, -9.0f, 9.0f, -9.0f, floor_y});  // or there were strays before it too
+      Scene scene(std::move(boards));
+      scene.blank_nearer_than(0.75f);
+      return scene.stray(share, random, 0.75f);
+    };
+    for (int i = 0; i < 1200; ++i) ASSERT_EQ(robot.sees(among_strays({})).speed, 0.2) << share << " after " << i;
+    for (float z = 0.94f; z > 0.78f; z -= 0.01f) robot.sees(among_strays({kerb(z, 0.05f, 0.8f)}));
+    for (int i = 0; i < 1200; ++i)
+      ASSERT_LT(robot.sees(among_strays({kerb(0.74f, 0.05f, 0.8f)})).speed, 0.2) << share << " after " << i;
+    for (int i = 0; i < 10; ++i) robot.sees(among_strays({}));
+    EXPECT_EQ(robot.sees(among_strays({})).speed, 0.2) << share << ": it has gone";
+  }
 }
 
 }  // namespace
