@@ -151,6 +151,14 @@ bool leaves_at_the_top(const Spot& spot, const Pixels& picture) {
   return (1.0 + growth) * (middle - spot.row) > middle - by_rounding;
 }
 
+/// There the last rows may never return.
+bool leaves_at_the_bottom(const Spot& spot, const std::optional<float>& nearer, const Pixels& picture) {
+  if (!nearer || !spot.is_shown() || spot.only_hides) return false;
+  const auto last = static_cast<double>(picture.height() - 1 - picture.framing().bottom);
+  const double middle = picture.framing().middle_row, below = spot.row - middle;
+  return below > 0.0 && below * double{spot.point.z} > (last - middle) * double{spot.point.z - *nearer};
+}
+
 Evidence evidence_of(const Spot& spot, const Pixels& picture) {
   if (!spot.is_shown()) return Evidence::Nothing;
   const float then = spot.point.z, noise = noise_at(then);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "pixels.hpp"
@@ -33,6 +34,9 @@ bool may_stand_between_rays(std::vector<Spot> spots, const std::vector<std::size
 
 /// Whether the spot lies so near the picture's upper border that what comes nearer leaves the picture there.
 bool leaves_at_the_top(const Spot& spot, const Pixels& picture);
+/// The same of its lower border, of what has come `nearer` by so much [m] since it was seen: of a raster, which has
+/// none, never.
+bool leaves_at_the_bottom(const Spot& spot, const std::optional<float>& nearer, const Pixels& picture);
 
 /// Where a thing at this distance [m] may be seen, by the noise of the sensor and the step of a cloud.
 inline float noise_at(float distance) { return std::max(0.03f, 0.05f * distance); }

@@ -122,7 +122,7 @@ class Forgiving {
     }
     if (spot.lost_for < floor_.after) ++spot.lost_for;
     const bool is_past = said_[i] == Evidence::Past && !between_rays_;
-    if (is_past && may_have_left(i) && !shows_floor_below(i)) {
+    if (may_have_left(i, is_past)) {
       leaving_ += double{spot.share};
       return Fate::Apart;
     }
@@ -133,7 +133,13 @@ class Forgiving {
     return Fate::Goes;
   }
 
-  bool may_have_left(std::size_t i) const { return !thing_.is_seen() && leaves_at_the_top(shown(i), picture_); }
+  /// What has left at the lower border is looked over: then the floor is seen again too.
+  bool may_have_left(std::size_t i, bool is_past) const {
+    if (thing_.is_seen()) return false;
+    const bool shows_floor = shows_floor_below(i);
+    if (leaves_at_the_bottom(shown(i), gaze_.nearer, picture_)) return is_past || shows_floor;
+    return is_past && !shows_floor && leaves_at_the_top(shown(i), picture_);
+  }
 
   /// As a thing that is seen; what comes nearer while a part of it is seen is that thing itself.
   bool is_seen_again(std::size_t i) const {

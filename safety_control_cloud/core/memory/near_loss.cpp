@@ -2,6 +2,7 @@
 #include "near_loss.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -22,8 +23,16 @@ constexpr double margin = 1.04;
 /// between two clouds.
 constexpr double cut_off = 0.05;
 
+/// Of a picture's rows, so large a share apart they are compared.
+constexpr std::size_t rows_to_compare = 60;
+
 /// So much farther than what counts, things are watched.
 constexpr double watched = 1.6;
+
+/// What is seen comes nearer between two pictures by so much, and by so much a second [m]: a robot of 0.2 m/s, and what
+/// comes to meet it.
+constexpr double least_step = 0.03, fastest_step = 0.4;
+constexpr double longest_step = 0.5;  ///< [s]
 
 constexpr const char* what_frees =
     "the camera sees what is behind it, or the near floor on which it stood, or after ~reset, when somebody has looked";
@@ -60,11 +69,26 @@ float NearLoss::near_distance() const { return static_cast<float>(margin * kept_
 float NearLoss::watched_distance() const { return static_cast<float>(watched * kept_distance()); }
 
 bool NearLoss::cuts_off(const Sight& sight, const Outlook& outlook) const {
-  return limits_.distance > 0.0 && sight.nearest &&
-         sight.nearest->distance() - outlook.camera().z < blind_range() + cut_off;
+  if (limits_.distance <= 0.0 || !sight.nearest) return false;
+  return is_cut_off_below_ || sight.nearest->distance() - outlook.camera().z < blind_range() + cut_off;
+}
+
+/// Something that recedes from the lower border upward at half the rate of what is level, or more: a wall does not. Of
+/// a camera that looks up or down, or rolls, the rows' middle is where it looks level.
+bool NearLoss::is_cut_off_below(const Pixels& picture, const Sight& sight) const {
+  const std::size_t border = picture.height() - 1 - picture.framing().bottom;
+  const std::size_t step = std::max<std::size_t>(1, picture.height() / rows_to_compare);
+  const double down = static_cast<double>(border) - picture.framing().middle_row;
+  if (border < 2 * step || down <= 2.0 * static_cast<double>(step) || sight.nearest_in_rows.empty()) return false;
+  const auto recedes = [&](std::size_t from) {
+    const double nearer = double{sight.nearest_in_rows[from]}, farther = double{sight.nearest_in_rows[from - step]};
+    return farther > nearer * (1.0 + 0.5 * static_cast<double>(step) / down);
+  };
+  return recedes(border) && recedes(border - step) && !std::isinf(sight.nearest_in_rows[border - 2 * step]);
 }
 
 std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const Outlook& outlook, double now) {
+  is_cut_off_below_ = false;
   if (limits_.distance <= 0.0) return std::nullopt;
   const Patience patience{now, limits_.timeout};
   move_with_camera(outlook);
@@ -148,9 +172,11 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
   Pixels picture = framed(view, outlook);
   picture.frame(margins_.note(picture));
   look_at_ground(picture, outlook);
-  remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels}, 1, patience);
+  remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels}, 1, patience,
+           step_since_picture(patience.now));
   const auto low = low_.judge(ground_, picture, outlook, patience);
   const auto thing = nearest_loss(things_.things(), outlook, kept());
+  is_cut_off_below_ = is_cut_off_below(picture, sight);
   note_backdrop(picture, thing && thing->whole);
   auto loss = nearer(low, thing);
   auto covered = floor_.covered();
@@ -186,11 +212,12 @@ std::optional<Loss> NearLoss::judge_points(const View& view, const Sight& sight,
   const bool sparse = 10 * raster_.filled() > 7 * sight.returns;
   const InRaster shown = look_at_raster(raster, outlook, sparse ? nullptr : &raster_.hits(), &raster_.usual());
   remember({shown.picture, outlook, shown.sight.nearest_in_rows, watched_distance(), shown.least_pixels, sparse},
-           FloorStrip::lately, patience);
+           FloorStrip::lately, patience, std::nullopt);
   return nearest_loss(things_.things(), outlook, kept());
 }
 
-void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, const Patience& patience) {
+void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, const Patience& patience,
+                        const std::optional<float>& nearer) {
   auto things = near_things(search);
   place_on_ground(things, ground_, search.picture, search.outlook);
   floor_.survey(ground_, patience);
@@ -199,8 +226,16 @@ void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, 
     return !ground_.is_near(i) && floor_.is_seen_again(i, clouds_of_floor > 1);
   };
   const NearFloor floor{is_seen_again, floor_.rows(), clouds_of_floor};
-  things_.update(std::move(things), search.picture, floor, backdrop_, near_distance(), {search.outlook, frame_.rays});
+  const Gaze gaze{search.outlook, frame_.rays, nearer};
+  things_.update(std::move(things), search.picture, floor, backdrop_, near_distance(), gaze);
   things_.forget_old(patience);
+}
+
+/// [m] by which a thing may have come nearer; of a long while, no more than of `longest_step`.
+float NearLoss::step_since_picture(double now) {
+  const double since = looked_at_ ? std::clamp(now - *looked_at_, 0.0, longest_step) : 0.0;
+  looked_at_ = now;
+  return static_cast<float>(least_step + since * fastest_step);
 }
 
 void NearLoss::write_down(bool lost, double now) {

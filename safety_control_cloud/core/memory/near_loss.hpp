@@ -60,7 +60,8 @@ class NearLoss {
   Rows rows_for(const View& view) const;
 
   /// Whether the nearest that is seen begins where the sensor goes blind, so that a part of it may be nearer, unseen:
-  /// of a wall that crosses the corridor, or a bench that runs along it, something farther away is always in view.
+  /// of a wall that crosses the corridor, or a bench that runs along it, something farther away is always in view. Or
+  /// it begins at the picture's lower border, as the top of a low box does once the camera looks over its front.
   bool cuts_off(const Sight& sight, const Outlook& outlook) const;
 
   /// What of the near obstacles is lost in this cloud, which look() has just seen. `now` [s], steady.
@@ -98,8 +99,11 @@ class NearLoss {
   void note_backdrop(const Pixels& picture, bool stands);
   Pixels framed(const View& view, const Outlook& outlook);
   bool shows_near(const Sight& sight, const Outlook& outlook) const;
-  void remember(const NearSearch& search, std::uint8_t clouds_of_floor, const Patience& patience);
+  void remember(const NearSearch& search, std::uint8_t clouds_of_floor, const Patience& patience,
+                const std::optional<float>& nearer);
   bool move_to(const Frame& frame);
+  float step_since_picture(double now);
+  bool is_cut_off_below(const Pixels& picture, const Sight& sight) const;
   void write_down(bool lost, double now);
   double blind_range() const;
   double kept_distance() const;
@@ -121,6 +125,8 @@ class NearLoss {
   Backdrop backdrop_;
   ThingsMemory things_;
   std::optional<double> lost_since_;  ///< [s] anything, without a break
+  std::optional<double> looked_at_;   ///< [s] the latest picture
+  bool is_cut_off_below_ = false;     ///< what that shows, at its lower border
   bool are_axes_new_ = false;         ///< and no picture has come since
   Written written_;
 };

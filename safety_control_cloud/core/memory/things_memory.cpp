@@ -89,7 +89,7 @@ void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const 
     stay_in_hole(thing, std::move(spots));
   };
   for (Remembered& thing : things_) {
-    note_vanished(thing, picture, near, rest);
+    note_vanished(thing, picture, near, rest, gaze.nearer);
     if (!rest) {
       drop_what_is_seen(thing.lost, gaze, turning, picture);
       continue;
@@ -154,21 +154,25 @@ void ThingsMemory::forget_old(const Patience& patience) {
   }
 }
 
-/// Of what is farther away than near, keeps what has vanished in mid-air. What leaves the picture of a camera that
-/// turns has not: it may be far from its border before.
-void ThingsMemory::note_vanished(Remembered& thing, const Pixels& picture, float near, bool resting) {
+/// Of what is farther away than near, keeps what has vanished in mid-air, and what has left the picture at its lower
+/// border. What leaves the picture of a camera that turns has not: it may be far from its border before.
+void ThingsMemory::note_vanished(Remembered& thing, const Pixels& picture, float near, bool resting,
+                                 const std::optional<float>& nearer) {
   if (thing.vanished) return;
   float nearest = std::numeric_limits<float>::infinity();
   for (const Spot& spot : thing.lost) nearest = std::min(nearest, spot.point.z);
   const bool fair = thing.size * fair_share >= 1.0 * nearest * nearest * static_cast<double>(picture.height()) /
                                                    static_cast<double>(picture.width());
-  const bool may_vanish =
-      resting && !thing.is_seen() && nearest >= near && thing.clouds >= clouds_to_go && !thing.at_border && fair;
-  thing.vanished = may_vanish && blank_in(thing.lost, picture) >= 0.95 * thing.size;
-  if (thing.vanished) {
+  const bool is_far_thing =
+      resting && !thing.is_seen() && nearest >= near && thing.clouds >= clouds_to_go && fair && !thing.lost.empty();
+  const auto leaves = [&](const Spot& spot) { return leaves_at_the_bottom(spot, nearer, picture); };
+  if (is_far_thing && !thing.at_border && blank_in(thing.lost, picture) >= 0.95 * thing.size) {
+    thing.vanished = true;
     blind_range_ = std::max(blind_range_, nearest);
-    return;
+  } else {
+    thing.vanished = is_far_thing && std::all_of(thing.lost.begin(), thing.lost.end(), leaves);
   }
+  if (thing.vanished) return;
   const auto is_far = [near](const Spot& spot) { return spot.point.z >= near; };
   thing.lost.erase(std::remove_if(thing.lost.begin(), thing.lost.end(), is_far), thing.lost.end());
 }

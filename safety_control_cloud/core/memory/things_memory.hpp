@@ -24,7 +24,7 @@ namespace safety_control_cloud {
 /// - What is near is kept. What is farther away is only watched: if a thing of fair extent, which nothing hides and
 ///   which is not at the border, returns nothing any more from one cloud to the next, it was not seen to go away. The
 ///   sensor is blind at the distance at which it was; it is kept, and that distance is near from then on, until a thing
-///   is seen nearer.
+///   is seen nearer. So is what leaves the picture at its lower border, of which nobody sees where it is from then on.
 /// - While the camera turns, its picture says only what of the lost is seen again: not that anything has gone.
 class ThingsMemory {
  public:
@@ -66,7 +66,8 @@ class ThingsMemory {
   float turning_to(const CameraPose& camera) const;
   static void lose(Remembered& thing, Thing before);
   static void stay_in_hole(Remembered& thing, std::vector<Spot> spots);
-  void note_vanished(Remembered& thing, const Pixels& picture, float near, bool resting);
+  void note_vanished(Remembered& thing, const Pixels& picture, float near, bool resting,
+                     const std::optional<float>& nearer);
   void unlearn_blind_range();
   void drop_empty();
 
