@@ -7,6 +7,7 @@
 #include "look/look.hpp"
 #include "look/outlook.hpp"
 #include "look/passthrough.hpp"
+#include "memory/pixels.hpp"
 #include "text/reader.hpp"
 #include "text/words.hpp"
 
@@ -20,12 +21,26 @@ bool same_corridor(const LookSettings& a, const LookSettings& b) {
   return same_limits(one, other) && one.range_min == other.range_min;
 }
 
-Picture picture_of(const Sight& sight, const Origin& origin) {
+Probes probes_in(const View& view) {
+  Probes probes;
+  const std::size_t width = width_of(view), height = height_of(view);
+  if (width < Probes::across || height < Probes::down) return probes;
+  const Pixels pixels(view, 0.0f);
+  for (std::size_t i = 0; i < probes.depths.size(); ++i) {
+    const std::size_t row = i / Probes::across, column = i % Probes::across;
+    probes.depths[i] =
+        pixels.at((2 * row + 1) * height / (2 * Probes::down), (2 * column + 1) * width / (2 * Probes::across)).z;
+  }
+  return probes;
+}
+
+Picture picture_of(const View& view, const Sight& sight, const Origin& origin) {
   const auto share_of = [&](std::size_t some) {
     return sight.total == 0 ? 0.0 : static_cast<double>(some) / static_cast<double>(sight.total);
   };
   const auto nearest = sight.nearest ? std::optional<double>(sight.nearest->distance()) : std::nullopt;
-  return Picture{origin.stamp, origin.frame, share_of(sight.returns), nearest, share_of(sight.inside), sight.total};
+  return Picture{origin.stamp,           origin.frame, share_of(sight.returns), nearest,
+                 share_of(sight.inside), sight.total,  probes_in(view)};
 }
 
 Returned returned_in(const View& view, const Sight& counted) {
@@ -128,7 +143,8 @@ Answer Sensor::look_at(const Reading& reading, const Outlook& outlook, const Ori
   }
   const auto [upright, in_upright] = upright_.of(view, outlook);
   upright_view_ = upright;
-  if (auto doubt = turns_.note(picture_of(counted_, origin), now, settings_.source_timeout)) return *std::move(doubt);
+  if (auto doubt = turns_.note(picture_of(view, counted_, origin), now, settings_.source_timeout))
+    return *std::move(doubt);
   auto blind = blind_.note(returned_in(view, counted_), settings_, now);
   const auto* scan = std::get_if<ScanView>(&reading);
   auto aim =

@@ -19,6 +19,10 @@ constexpr double by_chance = 4.0;        ///< standard deviations of a share of 
 constexpr double same_nearest = 0.05;    ///< [m] no more than noise and what a robot drives in as many pictures
 constexpr double nothing_nearest = 1e9;  ///< [m]
 
+constexpr std::size_t least_probes = 8;  ///< that return in both, for two pictures to be alike
+constexpr float same_depth = 0.05f;      ///< [1] of it
+constexpr double most_alike = 0.8;       ///< of those: some lie at an edge
+
 using Pictures = std::deque<Picture>;
 
 std::size_t changes_of_frame(const Pictures& pictures) {
@@ -61,16 +65,35 @@ double same_for(double least, double (*share_in)(const Picture&), const Pictures
   return std::max(least, by_chance * std::sqrt(std::max(0.0, share * (1.0 - share)) / points));
 }
 
+bool show_the_same(const Picture& one, const Picture& other) {
+  std::size_t both = 0, alike = 0;
+  for (std::size_t i = 0; i < one.probes.depths.size(); ++i) {
+    const float here = one.probes.depths[i], there = other.probes.depths[i];
+    if (std::isnan(here) || std::isnan(there)) continue;
+    ++both;
+    alike += std::abs(here - there) <= same_depth * std::min(here, there);
+  }
+  return both >= least_probes && static_cast<double>(alike) >= most_alike * static_cast<double>(both);
+}
+
+bool all_show_the_same(const Pictures& pictures) {
+  return std::adjacent_find(pictures.begin(), pictures.end(), std::not_fn(show_the_same)) == pictures.end();
+}
+
 double returns_in(const Picture& picture) { return picture.returns; }
 double inside_in(const Picture& picture) { return picture.inside; }
 double nearest_in(const Picture& picture) { return picture.nearest.value_or(nothing_nearest); }
 
-bool are_of_two(const Pictures& pictures) {
+bool go_to_and_fro(const Pictures& pictures) {
   const double returns = same_for(same_share, returns_in, pictures);
   const double inside = same_for(same_inside, inside_in, pictures);
-  return changes_of_frame(pictures) >= many || steps_back(pictures) >= many ||
-         changes_of(returns_in, returns, pictures) >= many || changes_of(inside_in, inside, pictures) >= many ||
-         changes_of(nearest_in, same_nearest, pictures) == looked_at - 1;
+  return changes_of(returns_in, returns, pictures) >= many || changes_of(inside_in, inside, pictures) >= many;
+}
+
+bool are_of_two(const Pictures& pictures) {
+  const std::size_t nearest = changes_of(nearest_in, same_nearest, pictures);
+  return changes_of_frame(pictures) >= many || steps_back(pictures) >= many || nearest == looked_at - 1 ||
+         (go_to_and_fro(pictures) && (nearest > 0 || !all_show_the_same(pictures)));
 }
 
 }  // namespace

@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <string>
 
 #include "doubt.hpp"
 
 namespace safety_control_cloud {
+
+/// How far away some pixels are, the same ones of each picture [m]; NaN where nothing returned.
+struct Probes {
+  static constexpr std::size_t across = 8, down = 8;
+  std::array<float, across * down> depths;
+
+  Probes() { depths.fill(std::numeric_limits<float>::quiet_NaN()); }
+};
 
 /// What tells the pictures of two cameras apart that send over one connection.
 struct Picture {
@@ -18,12 +28,13 @@ struct Picture {
   std::optional<double> nearest{};  ///< [m]
   double inside = 0.0;              ///< the corridor, as a share of all points
   std::size_t points = 0;           ///< all of them; 0: so many that chance changes no share
+  Probes probes = {};               ///< of a picture in rows and columns
 };
 
 /// Knows when the pictures of two cameras come in turn, though one publisher sends them: two drivers in one process
 /// share its name and its connection. One camera's picture resembles the one before it; those of two go to and fro
 /// between two frames, two contents, or stamps that run backwards. The nearest point alone may be one pixel that
-/// flickers.
+/// flickers. One whose light goes on and off returns now more and now less of the same.
 class TurnsWatch {
  public:
   /// A picture has come at `now` [s, steady]: a doubt if the latest went to and fro, and for `timeout` [s]

@@ -52,6 +52,28 @@ TEST(Turns, TwoCamerasThatShareAConnectionAreToldByWhatTheySeeInWhateverOrderThe
   }
 }
 
+/// An emitter that is on in every second picture, or two exposures in turn.
+TEST(Turns, OneThatReturnsNowMoreAndNowLessOfTheSameIsOneCameras) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> chance(0.0f, 1.0f);
+  for (const float missing : {0.05f, 0.3f, 0.6f}) {
+    for (const float other : {1.0f, 1.5f}) {  // as far as what another camera sees
+      Camera camera;
+      bool doubted = false;
+      for (int i = 0; i < 40; ++i) {
+        const bool is_dim = i % 2 != 0;
+        Picture picture{0.0, "camera", is_dim ? 0.9 * (1.0 - double{missing}) : 0.9, 2.0};
+        for (std::size_t j = 0; j < picture.probes.depths.size(); ++j) {
+          const float depth = (is_dim ? other : 1.0f) * (1.5f + 0.03f * static_cast<float>(j));
+          if (!is_dim || chance(random) >= missing) picture.probes.depths[j] = depth * (1.0f + 0.01f * chance(random));
+        }
+        doubted = camera.sends(picture);
+      }
+      EXPECT_EQ(doubted, other > 1.0f) << missing;
+    }
+  }
+}
+
 TEST(Turns, OneCameraIsBelievedAgainWhenTheOtherHasGone) {
   Camera camera;
   for (int i = 0; i < 16; ++i) camera.sends({0.0, i % 2 == 0 ? "left" : "right", 0.5, 2.0});
