@@ -10,6 +10,8 @@ namespace {
 constexpr double absent_for = 1.25;     ///< [s] without a return where there would be one
 constexpr double grown_old = 0.5;       ///< of its time
 constexpr double least_range = 0.01;    ///< [m]
+constexpr double thinnest = 0.015;      ///< [m] what is no wider may stand between two places that are asked about
+constexpr int most_steps = 16;          ///< to each side
 constexpr double most_foretold = 0.05;  ///< [m] what lies farther aside is not looked for
 
 /// As this look has it: where it was taken to be, or within `off` [m] of that.
@@ -78,8 +80,8 @@ double Forgetting::unknown_drift(const RememberedPlace& place) const {
 }
 
 /// Where nobody knows quite where the robot is, or was, only what would be shown wherever that is: places to both sides
-/// are asked about too, and nearer and farther ones, of which the picture may end before the one, or show the end of
-/// the thing at the place of its front. A scan is told by how much it lies aside.
+/// are asked about too, one beside the other, and nearer and farther ones, of which the picture may end before the one,
+/// or show the end of the thing at the place of its front. A scan is told by how much it lies aside.
 AtPlace Forgetting::seen_of(const RememberedPlace& place, const Asked& asked) {
   const Point2& here = asked.here;
   const double distance = std::max(asked.range, least_range);
@@ -96,8 +98,9 @@ AtPlace Forgetting::seen_of(const RememberedPlace& place, const Asked& asked) {
     ask_also_at(here + away);
   }
   const double sideways = drift + (is_scan_ ? 0.0 : by_look_.at(asked.range));
-  if (sideways > 0.0) {
-    const Point2 left = (sideways / distance) * Point2{-here.y, here.x};
+  const int steps = std::clamp(static_cast<int>(std::ceil(sideways / thinnest)), 0, most_steps);
+  for (int i = 1; i <= steps; ++i) {
+    const Point2 left = (sideways * i / steps / distance) * Point2{-here.y, here.x};
     ask_also_at(here + left);
     ask_also_at(here - left);
   }
