@@ -15,6 +15,8 @@ import pytest
 from drives import wall, write_drive, write_drive2
 from judge_rows import COMMAND, judge
 
+from safety_control_cloud.judge.command import interrupt_behind
+
 
 def bag_rows(out: Path) -> Dict[str, Dict[str, Any]]:
     return {Path(row["path"]).name: row for row in pq.read_table(out / "bags.parquet").to_pylist()}
@@ -134,6 +136,17 @@ def test_a_folder_without_bags_is_nothing_to_judge_unless_another_has_some(tmp_p
     result = judge(tmp_path / "empty", drives / "0.bag", "--out", tmp_path / "out", code=1)
     assert f"{tmp_path}/empty: no bag in it" in bag_rows(tmp_path / "out")["empty"]["error"]
     assert "1 could not be read" in result.stdout
+
+
+@pytest.mark.parametrize("interrupt", [KeyboardInterrupt(), SystemExit(143), None])
+def test_an_interrupt_is_not_hidden_by_what_it_broke(interrupt):
+    try:
+        try:
+            raise interrupt or OSError("disk full")
+        finally:
+            raise RuntimeError("release unlocked lock")
+    except RuntimeError as error:
+        assert interrupt_behind(error) is interrupt
 
 
 @pytest.mark.parametrize("number, code", [(signal.SIGINT, 130), (signal.SIGTERM, 143)])

@@ -44,7 +44,7 @@ def run(given: argparse.Namespace) -> int:
         with say.progress(len(bags), mode_of(settings).rows) as (done, line):
             rows = judge(request, done, line)
     except (OSError, RuntimeError) as error:
-        raise Unusable(str(error)) from error
+        raise interrupt_behind(error) or Unusable(str(error)) from error
     _show(given, settings, choice, rows)
     return SOME_UNREADABLE if any(row.status == "error" for row in rows) else 0
 
@@ -60,6 +60,14 @@ def _settings(given: argparse.Namespace) -> List[Dict[str, Any]]:
     elif given.cmd_vel or given.odom:
         raise BadSettings("--cmd-vel and --odom are of --mode guard")
     return settings
+
+
+def interrupt_behind(error: BaseException) -> Optional[BaseException]:
+    """Ctrl-C, or SIGTERM, that came just as somebody took a lock: to release that fails, and is all that is told."""
+    behind: Optional[BaseException] = error
+    while isinstance(behind, Exception):
+        behind = behind.__context__
+    return behind
 
 
 def _of(given: argparse.Namespace, file: Optional[Path]) -> Dict[str, Any]:
