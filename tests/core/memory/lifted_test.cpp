@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "../sanitized.hpp"
 #include "looking_robot.hpp"
 
 namespace safety_control_cloud {
@@ -19,8 +20,13 @@ struct Crate {
   Board at(float z, float lifted) const { return {z, left, right, top - lifted, floor_y - lifted}; }
 };
 
-const Crate crates[] = {{-0.35f, 0.35f, -1.0f}, {-0.35f, 0.35f, -0.05f}, {-0.1f, 0.1f, 0.0f},  {-0.3f, 0.05f, -0.3f},
-                        {0.15f, 0.4f, -0.1f},   {0.0f, 0.06f, -1.0f},    {-0.15f, 0.15f, 0.0f}};
+const std::vector<Crate> crates = some_of<Crate>({{-0.35f, 0.35f, -1.0f},
+                                                  {-0.35f, 0.35f, -0.05f},
+                                                  {-0.1f, 0.1f, 0.0f},
+                                                  {-0.3f, 0.05f, -0.3f},
+                                                  {0.15f, 0.4f, -0.1f},
+                                                  {0.0f, 0.06f, -1.0f},
+                                                  {-0.15f, 0.15f, 0.0f}});
 
 struct Case {
   bool organised, wall_behind;

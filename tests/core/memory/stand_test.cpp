@@ -4,12 +4,13 @@
 
 #include <vector>
 
+#include "../sanitized.hpp"
 #include "standing_beside.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
-INSTANTIATE_TEST_SUITE_P(Strays, StandingBeside, testing::Values(0.0, 0.001, 0.01, 0.1));
+INSTANTIATE_TEST_SUITE_P(Strays, StandingBeside, testing::ValuesIn(some_of<double>({0.0, 0.001, 0.01, 0.1})));
 
 TEST_P(StandingBeside, RobotDrivesOnWhenALegHasGoneWhoseFrontFrayedDownward) {
   for (const std::size_t top : {20u, 80u, 140u}) {
