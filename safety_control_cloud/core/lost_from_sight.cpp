@@ -20,10 +20,12 @@ bool is_blind(const Answer& answer) {
 
 }  // namespace
 
+/// What is in doubt, but for a blind one, says no more of what is lost than silence.
 void LostFromSight::note(const Answer& answer, bool is_any_near) {
-  forget_explanation();
-  if (is_blind(answer) && is_any_near) has_any_ = true;  // it may be before that
-  if (std::holds_alternative<Doubt>(answer)) return;
+  const bool is_doubt = std::holds_alternative<Doubt>(answer), blind = is_blind(answer);
+  if (!is_doubt || blind) forget_explanation();
+  if (blind && is_any_near) has_any_ = true;  // it may be before that
+  if (is_doubt) return;
   was_sound_ = true;
   judge(answer);
 }

@@ -41,25 +41,46 @@ TEST(LeftBehind, WhatWasLostClosesItsWayThoughTheCameraFallsSilent) {
   EXPECT_EQ(robot.drives(back).factor, 1.0) << robot.wants(back).reason;
 }
 
+/// With odometry, to a post that comes nearer than its rear camera sees.
+struct RobotThatBacksUp : RobotWithSensors {
+  explicit RobotThatBacksUp(const Settings& settings = with_sensors()) : RobotWithSensors(settings) {
+    for (float away = 0.8f; away > 0.355f; away -= 0.01f) {
+      behind = Scene({post(away, 0.02f, 0.06f)});
+      goes_on(0.05);
+      pose.place.x -= 0.01;
+    }
+    pose.place.x += 0.01;
+  }
+
+  Pose2 pose;
+
+  void goes_on(double seconds) {
+    for (double t = 0.0; t < seconds; t += 0.05) {
+      control.note_odometry(now.ros + 0.05, pose, {});
+      drives_on({});
+    }
+  }
+};
+
+TEST(LeftBehind, WhatIsKeptAsPlacesClosesTheWaysToThemAloneWhateverTheCameraSays) {
+  RobotThatBacksUp robot;
+  robot.goes_on(1.0);
+  robot.rear_shows = false;
+  for (int i = 0; i < 40; ++i) {
+    robot.goes_on(0.05);
+    robot.control.see(Unreadable{"no fields"}, {robot.now.ros, turned_xtion(pi), "camera", "camera"}, robot.now, rear);
+    EXPECT_EQ(robot.wants(about).factor, 1.0) << i << ": " << robot.wants(about).reason;
+    EXPECT_LT(robot.wants({-0.3, 0.0, 0.0}).factor, 0.5) << i << ": " << robot.wants({-0.3, 0.0, 0.0}).reason;
+  }
+}
+
 /// With odometry it is kept as places, which are forgotten when they have not been shown for so long, be the camera
 /// that lost it silent since soon before or not; and other settings may keep none.
 TEST(LeftBehind, WhatWasKeptAsPlacesClosesItsWayOnceTheyAreForgotten) {
   for (const bool are_settings_others : {false, true}) {
     Settings settings = with_sensors();
-    RobotWithSensors robot(settings);
-    Pose2 pose;
-    const auto goes_on = [&](double seconds) {
-      for (double t = 0.0; t < seconds; t += 0.05) {
-        robot.control.note_odometry(robot.now.ros + 0.05, pose, {});
-        robot.drives_on({});
-      }
-    };
-    for (float away = 0.8f; away > 0.355f; away -= 0.01f) {  // it backs up
-      robot.behind = Scene({post(away, 0.02f, 0.06f)});
-      goes_on(0.05);
-      pose.place.x -= 0.01;
-    }
-    pose.place.x += 0.01;
+    RobotThatBacksUp robot(settings);
+    const auto goes_on = [&](double seconds) { robot.goes_on(seconds); };
     goes_on(are_settings_others ? 5.0 : 20.0);
     EXPECT_EQ(robot.wants(about).factor, 1.0) << robot.wants(about).reason;
     robot.rear_shows = false;
