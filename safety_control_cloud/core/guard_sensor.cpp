@@ -75,8 +75,9 @@ std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origi
   const std::uint32_t before = sensor_.picture();
   sensor_.see(reading, facing, now, Crop::Skip, alongside ? &*alongside : nullptr);
   is_new_picture_ = sensor_.picture() != before;
+  if (sensor_.repeats()) return std::nullopt;
   lost_.note(sensor_.answer(), sensor_.is_any_near());
-  if (std::holds_alternative<Doubt>(sensor_.answer()) || sensor_.repeats()) return std::nullopt;
+  if (std::holds_alternative<Doubt>(sensor_.answer())) return std::nullopt;
   const Outlook upright = sensor_.upright(std::get<Outlook>(outlook));  // there is, or nothing were seen
   return take(reading, origin, upright, now, given);
 }

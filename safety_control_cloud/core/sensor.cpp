@@ -103,6 +103,7 @@ void Sensor::see(const Reading& reading, const Origin& origin, const Instant& no
                  const Alongside* alongside) {
   last_arrival_ = now.steady;
   counted_ = Sight{};
+  repeats_ = false;
   answer_ = answer_to(reading, origin, now, crop, alongside);
 }
 
@@ -153,8 +154,10 @@ Answer Sensor::look_at(const Reading& reading, const Outlook& outlook, const Ori
   const Sight& sight = upright_.is_turned() ? turned : counted_;
   if (blind && !aim) near_loss_.note_blind(upright, sight, in_upright, now);
   if (blind || aim) return blind ? *std::move(blind) : *std::move(aim);
-  if (auto doubt = frozen_.note(view, origin.stamp, settings_.frozen_clouds)) return *std::move(doubt);
-  if (repeats() && seen_) return Seen{counted_, seen_->loss, seen_->is_cut_off};
+  auto frozen = frozen_.note(view, origin.stamp, settings_.frozen_clouds);
+  repeats_ = frozen_.repeats();
+  if (frozen) return *std::move(frozen);
+  if (repeats_ && seen_) return Seen{counted_, seen_->loss, seen_->is_cut_off};
   auto loss = near_loss_.judge(upright, sight, in_upright, now);
   const bool is_cut_off = near_loss_.cuts_off(sight, in_upright);
   recalled_ = recalled_ && loss;

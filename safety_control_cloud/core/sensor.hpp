@@ -85,7 +85,7 @@ class Sensor {
 
   /// Whether the latest reading is the one before once more, with `frozen_clouds` on: it tells nothing of what is
   /// there now, and less if it is placed elsewhere. What is lost is what was lost then.
-  bool repeats() const { return frozen_.repeats(); }
+  bool repeats() const { return repeats_; }
 
   /// The number of the latest reading in which anything near was looked for; a new one only if that was the latest.
   std::uint32_t picture() const { return near_loss_.picture(); }
@@ -118,6 +118,7 @@ class Sensor {
   NearLoss near_loss_;
   bool recalled_ = false;               ///< what is lost was lost by another process
   std::optional<double> last_arrival_;  ///< [s] steady
+  bool repeats_ = false;      ///< the latest reading, the one before
   std::optional<Seen> seen_;            ///< what was believed last, by these settings
   Answer answer_ = Doubt{Cause::NoCloud, "no cloud has arrived yet"};
   Sight counted_;
