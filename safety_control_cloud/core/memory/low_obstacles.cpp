@@ -228,15 +228,15 @@ void LowObstacles::forget_old(const Patience& patience) {
 /// A step that is kept goes on as one while its foot leaves the picture: what is left of it need be no step by itself.
 void LowObstacles::look_at_row(Row number, const Millimetres* codes) {
   std::swap(row_, row_below_);
-  Millimetres *lowest = lowest_.data(), *above = above_.data(), *row = row_.data() + 1;
+  Millimetres *lowest = lowest_.data(), *above = above_.data(), *row = row_.data();
   Row *lowest_row = lowest_row_.data(), *first_above = first_above_.data();
-  const Millimetres *const kept = floor_.data(), *const below = row_below_.data() + 1;
+  const Millimetres *const kept = floor_.data(), *const below = row_below_.data();
   const std::size_t width = lowest_.size();
-  for (std::size_t i = 0; i < width; ++i) row[i] = ground_now(codes[i]);
+  for (std::size_t i = 0; i < width; ++i) row[i + 1] = ground_now(codes[i]);
   for (std::size_t i = 0; i < width; ++i) {
-    const Millimetres ground = row[i];
+    const Millimetres ground = row[i + 1];
     const bool is_shown_twice =
-        is_same_ground(ground, row[i - 1]) || is_same_ground(ground, row[i + 1]) || is_same_ground(ground, below[i]);
+        is_same_ground(ground, row[i]) || is_same_ground(ground, row[i + 2]) || is_same_ground(ground, below[i + 1]);
     const bool is_lowest = lowest[i] == none && is_shown_twice && ground != none;
     lowest[i] = is_lowest ? ground : lowest[i];
     lowest_row[i] = is_lowest ? number : lowest_row[i];
