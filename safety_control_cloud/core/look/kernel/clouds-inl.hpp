@@ -176,8 +176,7 @@ HWY_INLINE hn::Vec<Bytes> order_in(const CloudView& view, std::size_t lowest) {
 template <class Visitor>
 void visit(const CloudView& points, [[maybe_unused]] bool followed, Visitor& visitor) {
   std::size_t visited = 0;
-  const std::size_t size = points.width * points.point_step;
-  asks_early_itself ? fetch_pages_together(points.bytes, size) : fetch_pages(points.bytes, size);
+  fetch_pages(points.bytes, points.width * points.point_step);
 #if HWY_TARGET != HWY_SCALAR
   const auto [x, y, z] = points.offset;
   const std::size_t lowest = std::min({x, y, z}), end = std::max({x, y, z}) + sizeof(float);
