@@ -136,9 +136,8 @@ class Forgiving {
   /// What has left at the lower border is looked over: then the floor is seen again too.
   bool may_have_left(std::size_t i, bool is_past) const {
     if (thing_.is_seen()) return false;
-    const bool shows_floor = shows_floor_below(i);
-    if (leaves_at_the_bottom(shown(i), gaze_.nearer, picture_)) return is_past || shows_floor;
-    return is_past && !shows_floor && leaves_at_the_top(shown(i), picture_);
+    if (leaves_at_the_bottom(shown(i), gaze_.nearer, picture_)) return is_past || shows_floor_below(i);
+    return is_past && leaves_at_the_top(shown(i), picture_) && !shows_floor_below(i);
   }
 
   /// As a thing that is seen; what comes nearer while a part of it is seen is that thing itself.
