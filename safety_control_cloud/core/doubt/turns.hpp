@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <deque>
-#include <limits>
 #include <optional>
 #include <string>
 
+#include "../input/probes.hpp"
 #include "doubt.hpp"
 
 namespace safety_control_cloud {
-
-/// How far away some pixels are, the same ones of each picture [m]; NaN where nothing returned.
-struct Probes {
-  static constexpr std::size_t across = 8, down = 8;
-  std::array<float, across * down> depths;
-
-  Probes() { depths.fill(std::numeric_limits<float>::quiet_NaN()); }
-};
 
 /// What tells the pictures of two cameras apart that send over one connection.
 struct Picture {

@@ -4,24 +4,17 @@
 #include <cmath>
 
 #include "../input/point_reader.hpp"
+#include "../input/probes.hpp"
 
 namespace safety_control_cloud {
-namespace {
-
-/// The middle of the i-th of `parts` of so many pixels.
-std::size_t middle_of(std::size_t i, std::size_t parts, std::size_t pixels) {
-  return (2 * i + 1) * pixels / (2 * parts);
-}
-
-}  // namespace
-
 RaySamples::RaySamples(const View& view) {
   const std::size_t width = width_of(view), height = height_of(view);
   for (auto& rays : in_row) rays.reserve(columns);
   for (auto& rays : in_column) rays.reserve(rows);
   with_reader(view, [&](auto reader) {
     for (std::size_t i = 0; i < rows * columns; ++i) {
-      const std::size_t row = middle_of(i / columns, rows, height), column = middle_of(i % columns, columns, width);
+      const std::size_t row = middle_of_part(i / columns, rows, height),
+                        column = middle_of_part(i % columns, columns, width);
       const auto take = [&](float x, float y, float z) {
         if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) return;
         if (!(z > 0.0f)) {

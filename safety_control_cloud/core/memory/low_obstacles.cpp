@@ -11,29 +11,14 @@
 namespace safety_control_cloud {
 namespace {
 
-/// What is lower, a robot climbs [mm]: a Kobuki 12, and noise is not to stop it.
-constexpr std::int16_t step_height = 25;
-
 /// By which the floor may lie higher than it did and still be the floor [mm]: at 0.7 m, a pitch of 1.2 degrees.
 constexpr std::int16_t floor_tolerance = 15;
-
-/// By which the heights of two pixels of the same ground may differ [mm].
-constexpr std::int16_t same_ground = 15;
 
 /// A post of 2 cm at 0.7 m, where an Xtion loses the floor, takes 1/40 of its 60 degrees.
 constexpr std::size_t post_share_of_width = 40;
 
 /// Of the picture's height: two pictures that end so close together show the same floor.
 constexpr double border_share = 0.01;
-
-/// Deeper than any near ground [mm below the camera]: there is none.
-constexpr NearGround::Code none = std::numeric_limits<NearGround::Code>::max();
-
-NearGround::Code ground_now(NearGround::Code code) { return code < 0 ? none : code; }
-
-bool is_same_ground(NearGround::Code one, NearGround::Code other) { return std::abs(one - other) <= same_ground; }
-
-bool is_on_step(std::int16_t ground, std::int16_t floor) { return ground <= floor - step_height; }
 
 /// Of another resolution of the same picture; zero if there was none.
 std::vector<std::int16_t> stretched(std::vector<std::int16_t> columns, std::size_t width) {
@@ -49,14 +34,12 @@ std::size_t columns_of(const Frame& frame) {
 }
 
 /// Two pictures may show the same floor so many rows apart.
-constexpr std::int16_t same_row = 1;
-
-constexpr std::int16_t no_row = std::numeric_limits<std::int16_t>::max();
+constexpr StepColumns::Row same_row = 1;
 
 /// What a column shows lowest, in the corridor's axes.
 struct Lowest {
   Point place;
-  std::int16_t row;
+  StepColumns::Row row;
 };
 
 /// If that lies elsewhere than near and in the corridor.
@@ -66,7 +49,7 @@ std::optional<Lowest> lowest_elsewhere(std::size_t column, const NearGround& gro
   while (row < ground.rows() && ground.row(row)[column] == NearGround::nothing) ++row;
   if (row == ground.rows() || ground.row(row)[column] != NearGround::elsewhere) return std::nullopt;
   return Lowest{placed(picture.at(ground.picture_row(row), ground.picture_column(column)), outlook),
-                static_cast<std::int16_t>(row)};
+                static_cast<StepColumns::Row>(row)};
 }
 
 /// Of a column, in pixels of the picture.
@@ -118,7 +101,9 @@ void LowObstacles::move_to(float camera_height, float off) {
   if (up == 0) return;
   step_row_.clear();
   *camera_height_ += static_cast<float>(up) / 1000.0f;  // what is left counts with the next
-  const auto moved = [=](Millimetres floor) { return static_cast<Millimetres>(std::clamp(floor + up, 1, none - 1)); };
+  const auto moved = [=](Millimetres floor) {
+    return static_cast<Millimetres>(std::clamp(floor + up, 1, StepColumns::none - 1));
+  };
   for (Millimetres& floor : floor_)
     if (floor > 0) floor = moved(floor);
   for (Beside& step : beside_) step.floor = moved(step.floor);
@@ -162,53 +147,30 @@ void LowObstacles::survey(const NearGround& ground, const Pixels& picture, const
 void LowObstacles::look_beside(const NearGround& ground, const Pixels& picture, const Outlook& outlook) {
   const Point camera = outlook.camera();
   for (std::size_t i = 0; i < ground.columns(); ++i) {
-    if (!is_kept(i) || lowest_[i] != none) continue;
+    if (!is_kept(i) || columns_.lowest(i) != StepColumns::none) continue;
     const auto lowest = lowest_elsewhere(i, ground, picture, outlook);
     if (!lowest || lowest->place.z - camera.z >= ground.distance() || lowest->place.y <= outlook.corridor.y_max)
       continue;
-    lowest_[i] = static_cast<Millimetres>(std::lround(1000.0f * (lowest->place.y - camera.y)));
-    lowest_row_[i] = lowest->row;
+    const auto below = static_cast<Millimetres>(std::lround(1000.0f * (lowest->place.y - camera.y)));
+    columns_.note_lowest(i, below, lowest->row);
   }
 }
 
 /// Nearer, the lowest pixel shows more and more of the step.
 void LowObstacles::note(const NearGround& ground) {
-  look_at(ground);
-  for (std::size_t i = 0; i < ground.columns(); ++i) {
-    if (!shows_step(i, ground)) continue;
-    shown_[i] = lowest_[i] == none ? floor_[i] : lowest_[i];
-    if (lowest_of_two(i) == none) continue;
-    if (!is_kept(i)) step_row_[i] = no_row;
-    floor_[i] = std::max(floor_[i], lowest_of_two(i));
-    step_row_[i] = std::min(step_row_[i], first_above_[i]);
-  }
-}
-
-/// Of this cloud and the one before, what both show.
-LowObstacles::Millimetres LowObstacles::lowest_of_two(std::size_t column) const {
-  const Millimetres now = lowest_[column], before = lowest_before_[column];
-  return now == none || before == none ? none : std::min(now, before);
-}
-
-/// One pixel alone may be noise.
-bool LowObstacles::shows_step(std::size_t column, const NearGround& ground) const {
-  return above_[column] >= 2 && !ground.is_near(column);
-}
-
-void LowObstacles::look_at(const NearGround& ground) {
   const std::size_t columns = ground.columns();
   floor_ = stretched(std::move(floor_), columns);
-  std::swap(lowest_, lowest_before_);
-  std::swap(lowest_row_, lowest_row_before_);
-  if (lowest_before_.size() != columns)
-    lowest_before_.assign(columns, none), lowest_row_before_.assign(columns, no_row);
-  if (step_row_.size() != columns) step_row_.assign(columns, no_row);
-  lowest_.assign(columns, none);
-  for (auto* rows : {&lowest_row_, &first_above_}) rows->assign(columns, no_row);
-  for (auto* row : {&row_, &row_below_}) row->assign(columns + 2, none);
-  for (auto* counts : {&shown_, &above_}) counts->assign(columns, 0);
-  for (std::size_t row = 0; row < ground.rows(); ++row) {
-    if (ground.shows_ground(row)) look_at_row(static_cast<Row>(row), ground.row(row));  // all others change nothing
+  if (step_row_.size() != columns) step_row_.assign(columns, StepColumns::no_row);
+  shown_.assign(columns, 0);
+  columns_.look_at(ground, floor_);
+  for (std::size_t i = 0; i < columns; ++i) {
+    if (!columns_.rises(i) || ground.is_near(i)) continue;
+    const Millimetres lowest = columns_.lowest(i), of_two = columns_.lowest_of_two(i);
+    shown_[i] = lowest == StepColumns::none ? floor_[i] : lowest;
+    if (of_two == StepColumns::none) continue;
+    if (!is_kept(i)) step_row_[i] = StepColumns::no_row;
+    floor_[i] = std::max(floor_[i], of_two);
+    step_row_[i] = std::min(step_row_[i], columns_.first_above(i));
   }
 }
 
@@ -225,39 +187,17 @@ void LowObstacles::forget_old(const Patience& patience) {
   beside_.erase(std::remove_if(beside_.begin(), beside_.end(), is_old), beside_.end());
 }
 
-/// A step that is kept goes on as one while its foot leaves the picture: what is left of it need be no step by itself.
-void LowObstacles::look_at_row(Row number, const Millimetres* codes) {
-  std::swap(row_, row_below_);
-  Millimetres *lowest = lowest_.data(), *above = above_.data(), *row = row_.data();
-  Row *lowest_row = lowest_row_.data(), *first_above = first_above_.data();
-  const Millimetres *const kept = floor_.data(), *const below = row_below_.data();
-  const std::size_t width = lowest_.size();
-  for (std::size_t i = 0; i < width; ++i) row[i + 1] = ground_now(codes[i]);
-  for (std::size_t i = 0; i < width; ++i) {
-    const Millimetres ground = row[i + 1];
-    const bool is_shown_twice =
-        is_same_ground(ground, row[i]) || is_same_ground(ground, row[i + 2]) || is_same_ground(ground, below[i + 1]);
-    const bool is_lowest = lowest[i] == none && is_shown_twice && ground != none;
-    lowest[i] = is_lowest ? ground : lowest[i];
-    lowest_row[i] = is_lowest ? number : lowest_row[i];
-    const Millimetres floor = std::max(lowest[i] == none ? Millimetres{0} : lowest[i], kept[i]);
-    const bool is_above = is_on_step(ground, floor);
-    above[i] = static_cast<Millimetres>(above[i] + is_above);
-    first_above[i] = is_above && first_above[i] == no_row ? number : first_above[i];
-  }
-}
-
 bool LowObstacles::hides_floor(std::size_t column) const {
   if (!is_kept(column)) return false;
-  const Millimetres lowest = lowest_of_two(column);
-  if (lowest == none) return true;  // nothing says that the floor is there again
+  const Millimetres lowest = columns_.lowest_of_two(column);
+  if (lowest == StepColumns::none) return true;  // nothing says that the floor is there again
   return lowest + floor_tolerance < floor_[column] + off_ || !is_as_low_as_step(column);
 }
 
 /// What two clouds show lowest.
 bool LowObstacles::is_as_low_as_step(std::size_t column) const {
-  const Row row = std::max(lowest_row_[column], lowest_row_before_[column]);
-  return step_row_[column] == no_row || row <= step_row_[column] + same_row;
+  const StepColumns::Row step = step_row_[column];
+  return step == StepColumns::no_row || columns_.lowest_row_of_two(column) <= step + same_row;
 }
 
 /// By what its column shows lowest.
@@ -272,8 +212,11 @@ std::optional<Obstacle> LowObstacles::nearest(const NearGround& ground, const Pi
                                               const Outlook& outlook) const {
   std::optional<Obstacle> found;
   for (std::size_t i = 0; i < ground.columns(); ++i) {
+    const auto is_on_it = [&](std::size_t row) {
+      return StepColumns::is_on_step(StepColumns::ground_now(ground.row(row)[i]), floor_before(i));
+    };
     std::size_t row = is_step(i) ? 0 : ground.rows();
-    while (row < ground.rows() && !is_on_step(ground_now(ground.row(row)[i]), floor_before(i))) ++row;
+    while (row < ground.rows() && !is_on_it(row)) ++row;
     if (row == ground.rows()) continue;
     const Obstacle obstacle{placed(picture.at(ground.picture_row(row), ground.picture_column(i)), outlook)};
     if (!found || obstacle.distance() < found->distance()) found = obstacle;

@@ -12,6 +12,7 @@
 #include "loss.hpp"
 #include "near_ground.hpp"
 #include "patience.hpp"
+#include "step_columns.hpp"
 
 namespace safety_control_cloud {
 
@@ -23,10 +24,9 @@ namespace safety_control_cloud {
 /// so that neither a slope nor a bump of the robot looks like one. Where something near is seen in the corridor too,
 /// the step is the foot of that, and its distance decides.
 ///
-/// Where the floor is too near to return there may be strays, each of them lower than any floor, in any cloud: the
-/// lowest ground of a column is what two pixels beside each other show, a step is kept by what two clouds in a row show
-/// lowest before it, and two in a row have to show the floor again before it is forgotten: as low in the picture as the
-/// step, since a camera sees the floor behind what has come too near to return.
+/// A step is kept by what two clouds in a row show lowest before it, since there may be strays, and two in a row have
+/// to show the floor again before it is forgotten: as low in the picture as the step, since a camera sees the floor
+/// behind what has come too near to return.
 ///
 /// What another picture does not show any more, because it ends higher or farther inward, stays.
 class LowObstacles {
@@ -61,8 +61,7 @@ class LowObstacles {
   }
 
  private:
-  using Millimetres = NearGround::Code;
-  using Row = std::int16_t;  ///< of NearGround, from the lowest up
+  using Millimetres = StepColumns::Millimetres;
 
   /// A column with a step, that the picture does not show.
   struct Beside {
@@ -76,15 +75,11 @@ class LowObstacles {
   bool shows(const Beside& step) const;
   void survey(const NearGround& ground, const Pixels& picture, const Outlook& outlook);
   void look_beside(const NearGround& ground, const Pixels& picture, const Outlook& outlook);
-  void look_at(const NearGround& ground);
-  bool shows_step(std::size_t column, const NearGround& ground) const;
   void forget_old(const Patience& patience);
-  void look_at_row(Row number, const Millimetres* codes);
   bool is_as_low_as_step(std::size_t column) const;
   bool is_kept(std::size_t column) const { return floor_[column] > 0; }
   bool is_step(std::size_t column) const { return floor_before(column) > 0; }
   Millimetres floor_before(std::size_t column) const { return std::max(floor_[column], shown_[column]); }
-  Millimetres lowest_of_two(std::size_t column) const;
   bool hides_floor(std::size_t column) const;
   void drop_what_lies_beside(const NearGround& ground, const Pixels& picture, const Outlook& outlook);
   /// Of what the columns that show a step have lowest on it; none if all of it has gone out of the picture.
@@ -92,20 +87,15 @@ class LowObstacles {
 
   Frame frame_;
   std::vector<Beside> beside_;
-  // Of each column, below the camera.
+  StepColumns columns_;  ///< of the latest picture
+  // Of each column.
   std::vector<Millimetres> floor_;          ///< before a step that is kept; 0 if there is none
   std::vector<Millimetres> shown_;          ///< before a step that this cloud shows; 0 if it shows none
-  std::vector<Millimetres> lowest_;         ///< the near ground that it shows lowest now; `none` if it shows none
-  std::vector<Millimetres> lowest_before_;  ///< in the cloud before
-  std::vector<Row> lowest_row_, lowest_row_before_;  ///< in which they lie
-  std::vector<Row> first_above_;                     ///< the lowest that shows ground a step above that now
-  std::vector<Row> step_row_;                        ///< or did since the step is kept, as far as that is known
-  std::vector<Millimetres> row_, row_below_;  ///< the ground of one row, with `none` at both ends, and of that below
-  std::vector<double> hidden_since_;          ///< [s] steady: the floor before the step
-  std::vector<std::int16_t> above_;           ///< pixels that show ground a step above that, or above `floor_`
-  bool is_corridor_new_ = false;              ///< and no cloud has come since
-  std::optional<float> camera_height_;        ///< [m] as `floor_` is told; none: no picture has come
-  Millimetres off_ = 0;                       ///< by which the floor may lie lower than `floor_` tells
+  std::vector<StepColumns::Row> step_row_;  ///< the lowest that has shown a step that is kept, as far as that is known
+  std::vector<double> hidden_since_;        ///< [s] steady: the floor before it
+  bool is_corridor_new_ = false;            ///< and no cloud has come since
+  std::optional<float> camera_height_;      ///< [m] as `floor_` is told; none: no picture has come
+  Millimetres off_ = 0;                     ///< by which the floor may lie lower than `floor_` tells
 };
 
 }  // namespace safety_control_cloud

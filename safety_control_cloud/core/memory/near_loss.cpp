@@ -2,12 +2,12 @@
 #include "near_loss.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
 
 #include "../look/look.hpp"
+#include "cut_off.hpp"
 #include "losses.hpp"
 #include "near_things.hpp"
 #include "stand.hpp"
@@ -22,9 +22,6 @@ constexpr double margin = 1.04;
 /// By so much farther than it is blind a sensor shows what is cut off [m]: noise, and what a robot that slows drives
 /// between two clouds.
 constexpr double cut_off = 0.05;
-
-/// Of a picture's rows, so large a share apart they are compared.
-constexpr std::size_t rows_to_compare = 60;
 
 /// So much farther than what counts, things are watched.
 constexpr double watched = 1.6;
@@ -71,20 +68,6 @@ float NearLoss::watched_distance() const { return static_cast<float>(watched * k
 bool NearLoss::cuts_off(const Sight& sight, const Outlook& outlook) const {
   if (limits_.distance <= 0.0 || !sight.nearest) return false;
   return is_cut_off_below_ || sight.nearest->distance() - outlook.camera().z < blind_range() + cut_off;
-}
-
-/// Something that recedes from the lower border upward at half the rate of what is level, or more: a wall does not. Of
-/// a camera that looks up or down, or rolls, the rows' middle is where it looks level.
-bool NearLoss::is_cut_off_below(const Pixels& picture, const Sight& sight) const {
-  const std::size_t border = picture.height() - 1 - picture.framing().bottom;
-  const std::size_t step = std::max<std::size_t>(1, picture.height() / rows_to_compare);
-  const double down = static_cast<double>(border) - picture.framing().middle_row;
-  if (border < 2 * step || down <= 2.0 * static_cast<double>(step) || sight.nearest_in_rows.empty()) return false;
-  const auto recedes = [&](std::size_t from) {
-    const double nearer = double{sight.nearest_in_rows[from]}, farther = double{sight.nearest_in_rows[from - step]};
-    return farther > nearer * (1.0 + 0.5 * static_cast<double>(step) / down);
-  };
-  return recedes(border) && recedes(border - step) && !std::isinf(sight.nearest_in_rows[border - 2 * step]);
 }
 
 std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const Outlook& outlook, double now) {
@@ -176,7 +159,7 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
            step_since_picture(patience.now));
   const auto low = low_.judge(ground_, picture, outlook, patience);
   const auto thing = nearest_loss(things_.things(), outlook, kept());
-  is_cut_off_below_ = is_cut_off_below(picture, sight);
+  is_cut_off_below_ = recedes_at_the_bottom(picture, sight.nearest_in_rows);
   note_backdrop(picture, thing && thing->whole);
   auto loss = nearer(low, thing);
   auto covered = floor_.covered();

@@ -103,7 +103,6 @@ class NearLoss {
                 const std::optional<float>& nearer);
   bool move_to(const Frame& frame);
   float step_since_picture(double now);
-  bool is_cut_off_below(const Pixels& picture, const Sight& sight) const;
   void write_down(bool lost, double now);
   double blind_range() const;
   double kept_distance() const;
