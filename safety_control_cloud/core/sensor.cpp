@@ -7,7 +7,6 @@
 #include "look/look.hpp"
 #include "look/outlook.hpp"
 #include "look/passthrough.hpp"
-#include "memory/pixels.hpp"
 #include "text/reader.hpp"
 #include "text/words.hpp"
 
@@ -21,26 +20,13 @@ bool same_corridor(const LookSettings& a, const LookSettings& b) {
   return same_limits(one, other) && one.range_min == other.range_min;
 }
 
-Probes probes_in(const View& view) {
-  Probes probes;
-  const std::size_t width = width_of(view), height = height_of(view);
-  if (width < Probes::across || height < Probes::down) return probes;
-  const Pixels pixels(view, 0.0f);
-  for (std::size_t i = 0; i < probes.depths.size(); ++i) {
-    const std::size_t row = i / Probes::across, column = i % Probes::across;
-    probes.depths[i] =
-        pixels.at((2 * row + 1) * height / (2 * Probes::down), (2 * column + 1) * width / (2 * Probes::across)).z;
-  }
-  return probes;
-}
-
 Picture picture_of(const View& view, const Sight& sight, const Origin& origin) {
   const auto share_of = [&](std::size_t some) {
     return sight.total == 0 ? 0.0 : static_cast<double>(some) / static_cast<double>(sight.total);
   };
   const auto nearest = sight.nearest ? std::optional<double>(sight.nearest->distance()) : std::nullopt;
-  return Picture{origin.stamp,           origin.frame, share_of(sight.returns), nearest,
-                 share_of(sight.inside), sight.total,  probes_in(view)};
+  return Picture{origin.stamp, origin.frame, share_of(sight.returns), nearest, share_of(sight.inside),
+                 sight.total,  Probes(view)};
 }
 
 Returned returned_in(const View& view, const Sight& counted) {
@@ -61,7 +47,7 @@ void gather_all(const View& view, const Alongside& alongside) {
 Sensor::Sensor(const Settings& settings) : settings_(settings), near_loss_(settings.near_loss) {}
 
 void Sensor::adopt(const Settings& settings) {
-  seen_.reset();
+  judged_.reset();
   if (settings.target_frame != settings_.target_frame) near_loss_.change_axes();
   if (!same_corridor(settings, settings_)) near_loss_.change_corridor();
   near_loss_.limit(settings.near_loss);
@@ -74,7 +60,7 @@ void Sensor::turn_corridor(const Settings& settings, double angle) {
 }
 
 void Sensor::forget_losses() {
-  seen_.reset();
+  judged_.reset();
   recalled_ = false;
   near_loss_.forget();
   stamps_.forget();
@@ -93,7 +79,7 @@ bool Sensor::recall(const std::string& remembered) {
   const bool is_placed = reader.word() == in_frame;
   const std::string frame = is_placed ? reader.word() : "";
   if (!near_loss_.restore(is_placed ? reader.rest() : remembered)) return false;
-  seen_.reset();
+  judged_.reset();
   if (frame != settings_.target_frame) near_loss_.change_axes();
   recalled_ = near_loss_.is_any_near();
   return true;
@@ -157,12 +143,16 @@ Answer Sensor::look_at(const Reading& reading, const Outlook& outlook, const Ori
   auto frozen = frozen_.note(view, origin.stamp, settings_.frozen_clouds);
   repeats_ = frozen_.repeats();
   if (frozen) return *std::move(frozen);
-  if (repeats_ && seen_) return Seen{counted_, seen_->loss, seen_->is_cut_off};
-  auto loss = near_loss_.judge(upright, sight, in_upright, now);
-  const bool is_cut_off = near_loss_.cuts_off(sight, in_upright);
+  if (!repeats_ || !judged_) judge(upright, sight, in_upright, now);
+  return Seen{counted_, judged_->loss, judged_->is_cut_off};
+}
+
+void Sensor::judge(const View& view, const Sight& sight, const Outlook& outlook, double now) {
+  auto loss = near_loss_.judge(view, sight, outlook, now);
+  const bool is_cut_off = near_loss_.cuts_off(sight, outlook);
   recalled_ = recalled_ && loss;
   if (recalled_) loss->reason += ", as before this start";
-  return seen_.emplace(Seen{counted_, std::move(loss), is_cut_off});
+  judged_ = Judged{std::move(loss), is_cut_off};
 }
 
 }  // namespace safety_control_cloud

@@ -105,6 +105,13 @@ class Sensor {
                    const Alongside* alongside);
   Answer look_at(const Reading& reading, const Outlook& outlook, const Origin& origin, double now, Crop crop,
                  const Alongside* alongside);
+  void judge(const View& view, const Sight& sight, const Outlook& outlook, double now);
+
+  /// What of a reading is asked of the memory.
+  struct Judged {
+    std::optional<Loss> loss;
+    bool is_cut_off;
+  };
 
   Settings settings_;
   SourceWatch sources_;
@@ -118,8 +125,8 @@ class Sensor {
   NearLoss near_loss_;
   bool recalled_ = false;               ///< what is lost was lost by another process
   std::optional<double> last_arrival_;  ///< [s] steady
-  bool repeats_ = false;      ///< the latest reading, the one before
-  std::optional<Seen> seen_;            ///< what was believed last, by these settings
+  bool repeats_ = false;                ///< the latest reading, the one before
+  std::optional<Judged> judged_;        ///< the latest that was believed, by these settings
   Answer answer_ = Doubt{Cause::NoCloud, "no cloud has arrived yet"};
   Sight counted_;
 };
