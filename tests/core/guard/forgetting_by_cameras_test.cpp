@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "../../../safety_control_cloud/core/guard/forgetting.hpp"
 #include "../memory/lens.hpp"
 #include "robot_with_odometry.hpp"
 
@@ -72,6 +73,30 @@ TEST(Forgetting, StrayReturnsDoNotEraseIt) {
   robot.turns(quarter, robot.hall);
   const Guarded& answer = robot.asked({0.0, -0.7, 0.0});
   EXPECT_LT(answer.factor, 1.0) << answer.reason;
+}
+
+/// Too near for the camera, it is a hole in what is seen behind it. Asked only about its place and about the two that
+/// lie farthest aside, the camera would look past it on either side.
+TEST(Forgetting, APostMayStandAnywhereBetweenTheFarthestPlacesToWhichOdometryMayHaveSlipped) {
+  const Vicinity vicinity{0.0, 0.6, 1.5};
+  const Lens lens = Lens::of(60.0);
+  const float ahead = 0.38f, half_of_it = 0.008f;  // [m]
+  for (int off = -6; off <= 7; ++off) {            // [cm] to the right of its place; 7: it has gone
+    std::vector<Board> boards{{2.5f, -3.0f, 3.0f, -2.0f, 2.0f}};
+    const auto middle = 0.01f * static_cast<float>(off);
+    if (off <= 6) boards.push_back({ahead, middle - half_of_it, middle + half_of_it, -0.5f, 0.5f});
+    const auto points = lens.points(boards);
+    const Reading reading = lens.view_of_rows(points);
+    const Look look{reading, std::get<CloudView>(reading), Outlook(Corridor{}), 0.0, 0.4};
+    const SeenAt seen_at(look, vicinity);
+    LooksTaken looks;
+    for (const double now : {0.0, 0.1}) looks.take_placed(0, Whereabouts{}, now, now);
+    const Whereabouts robot;
+    Forgetting forgetting(look, seen_at, looks, robot, Drift{0.06, 0.0}, 0.1, 30.0);
+    RememberedPlace place{ahead, 0.0, 0.1f, {0.0, 0.5}, 1, 0.0, 0.0};
+    for (int i = 1; i < believed; ++i) EXPECT_FALSE(forgetting.has_gone(place));
+    EXPECT_EQ(forgetting.has_gone(place), off == 7) << off << " cm";
+  }
 }
 
 }  // namespace
