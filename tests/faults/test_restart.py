@@ -181,6 +181,22 @@ def test_a_node_that_does_not_know_what_was_before_says_so_and_what_it_waits_for
     states.close()
 
 
+@pytest.mark.parametrize("other", [[], [""], 7], ids=str)
+def test_what_somebody_else_writes_over_what_is_lost_is_written_anew(master, other):
+    """As who loads the parameters that he dumped an hour ago."""
+    with robot_that_lost_a_board() as robot:
+        lost = NODE + "_lost/things"
+        eventually(lambda: any(rospy.get_param(lost)))
+        kept = rospy.get_param(lost)
+        rospy.set_param(lost, other)
+        eventually(lambda: rospy.get_param(lost) == kept)
+        assert "somebody has changed " + lost in robot.process.output()
+        with killed_and_started_again(robot):
+            robot.states.until(lambda state: "as before this start" in state.reason)
+            robot.camera.changes()
+            robot.stops("NEAR_LOSS")
+
+
 @pytest.mark.skipif("SAFETY_CONTROL_NODE" in os.environ, reason="its time is the machine's")
 def test_a_node_whose_master_is_started_anew_tells_it_again():
     result = subprocess.run(

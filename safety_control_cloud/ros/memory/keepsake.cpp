@@ -81,17 +81,21 @@ void Keepsake::write() {
     lock.unlock();
     if (written_ != wanted && write_to_server(name_, wanted)) written_ = wanted;
     if (last) return;
-    look_whether_it_is_there();
+    look_whether_it_is_still_there();
     lock.lock();
     if (!ending_ && wanted_ == wanted) changed_.wait_for(lock, for_seconds(period));
   }
 }
 
-void Keepsake::look_whether_it_is_there() {
+/// Somebody may have loaded what he dumped an hour ago.
+void Keepsake::look_whether_it_is_still_there() {
   XmlRpcValue is_there;
   if (!written_ || !ask_master("hasParam", name_, is_there)) return;
-  if (is_there.getType() != XmlRpcValue::TypeBoolean || is_there) return;
-  say_("the ROS master has forgotten what was near, as one that was started anew does; it is told again");
+  const bool is_lost = is_there.getType() == XmlRpcValue::TypeBoolean && !is_there;
+  const auto there = is_lost ? std::nullopt : texts_on_server(name_);
+  if (!is_lost && (!there || there == written_)) return;
+  say_(is_lost ? "the ROS master has forgotten what was near, as one that was started anew does; it is told again"
+               : "somebody has changed " + name_ + ", which tells what was near; it is written again");
   written_.reset();
 }
 

@@ -34,7 +34,7 @@ class Keepsake {
 
  private:
   void write();
-  void look_whether_it_is_there();
+  void look_whether_it_is_still_there();
 
   const std::string name_;
   const Say say_;
