@@ -35,7 +35,7 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
     : control_(settings),
       channels_(channels_of(settings, handle, private_handle)),
       commands_(handle, named_in(handle, "cmd_vel"), [this] { on_quiet(); }),
-      base_(settings.base_frame),
+      base_(settings.base_frame, [this](const std::string& line) { log_.warn(line); }),
       reports_(private_handle, log_),
       lost_things_(
           private_handle, LostThings::of(control_, reports_), [this](const std::string& line) { log_.warn(line); },
@@ -48,7 +48,8 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
             control_.adopt(changed);
           },
           log_),
-      diagnostics_(handle, private_handle, names_of(settings.sensors)) {
+      diagnostics_(
+          handle, private_handle, [this](const std::string& line) { log_.warn(line); }, names_of(settings.sensors)) {
   on_quiet();
   odometry_.emplace(handle, control_, [this](const std::string& line) { log_.warn(line); });
   override_ = private_handle.advertiseService("override", &GuardNode::on_override, this);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nodelet/nodelet.h>
 #include <ros/callback_queue.h>
-#include <ros/spinner.h>
 
 #include <exception>
 #include <memory>
@@ -9,6 +8,7 @@
 
 #include "command/last_word.hpp"
 #include "nodes.hpp"
+#include "time/queue_thread.hpp"
 
 namespace safety_control_cloud {
 
@@ -27,8 +27,16 @@ class SafetyControlNodelet : public nodelet::Nodelet {
   void start() {
     node_ = node_of(on_own_queue(getNodeHandle()), on_own_queue(getPrivateNodeHandle()), Delivery::Shared);
     last_word_ = std::make_unique<LastWord>([this] { node_->end(); });
-    decides_ = std::make_unique<ros::AsyncSpinner>(1, &queue_);
-    decides_->start();
+    decides_ = std::make_unique<QueueThread>(queue_, [this](const std::exception& problem) {
+      give_up(problem);
+      return false;
+    });
+  }
+
+  /// As the node does, which then ends; the manager and who else is in it go on.
+  void give_up(const std::exception& problem) {
+    node_->end();
+    NODELET_FATAL("%s; the robot stands until this nodelet is loaded anew", problem.what());
   }
 
   ros::NodeHandle on_own_queue(ros::NodeHandle handle) {
@@ -40,8 +48,8 @@ class SafetyControlNodelet : public nodelet::Nodelet {
   /// manager's queue to a worker it is one thread further.
   ros::CallbackQueue queue_;
   std::unique_ptr<Node> node_;
-  std::unique_ptr<LastWord> last_word_;         ///< of the node: goes before it
-  std::unique_ptr<ros::AsyncSpinner> decides_;  ///< goes first
+  std::unique_ptr<LastWord> last_word_;   ///< of the node: goes before it
+  std::unique_ptr<QueueThread> decides_;  ///< goes first
 };
 
 }  // namespace safety_control_cloud

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "taking.hpp"
+#include "time/diagnostic_period.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -89,7 +90,7 @@ Settings load_settings(const ros::NodeHandle& private_handle) {
     if (slash != std::string::npos && is_known(name.substr(slash + 1)))
       problems.push_back(misplaced_parameter(private_handle.getNamespace(), name));
   }
-  if (double period = 1.0; private_handle.getParam("diagnostic_period", period) && !(period > 0.0 && period <= 3600.0))
+  if (double period = 1.0; private_handle.getParam("diagnostic_period", period) && !is_diagnostic_period(period))
     problems.push_back("~diagnostic_period must be more than 0 s and at most 3600");
   for (const auto& problem : problems_in(settings)) problems.push_back(problem);
   if (!problems.empty()) throw BadParameters(problems);

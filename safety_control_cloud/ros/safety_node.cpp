@@ -25,9 +25,10 @@ SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, D
       quiet_(*handle.getCallbackQueue(), [this] { on_quiet(); }),
       reconfigure_(
           private_handle, settings, [this](const Settings& changed) { control_.adopt(changed); }, log_),
-      diagnostics_(handle, private_handle) {
+      diagnostics_(handle, private_handle, [this](const std::string& line) { log_.warn(line); }) {
   const std::string& target_frame = control_.settings().target_frame;
-  if (!target_frame.empty()) camera_place_ = std::make_unique<CameraPlace>(target_frame);
+  if (!target_frame.empty())
+    camera_place_ = std::make_unique<CameraPlace>(target_frame, [this](const std::string& line) { log_.warn(line); });
   on_quiet();
   camera_.open(
       handle, private_handle, delivery, [this](const Arrival& arrival) { on_arrival(arrival); },

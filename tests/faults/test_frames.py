@@ -11,7 +11,7 @@ import pytest
 import rospy
 import tf2_msgs.msg
 from geometry_msgs.msg import TransformStamped
-from robot import driving_robot
+from robot import driving_robot, eventually
 from scenes import hall, wall
 
 BASE = "base_footprint"
@@ -46,6 +46,9 @@ class Frames:
 
     def stays(self, transform):
         self._static.publish([transform])
+
+    def says(self, transform):
+        self._dynamic.publish([transform])
 
     def moves(self, frame):
         self._stopped.clear()
@@ -154,6 +157,23 @@ def test_the_last_stamp_there_is_ends_no_lookup(frames):
         robot.stops("NO_TRANSFORM")
         robot.camera.clock = rospy.Time.now
         robot.camera.show(good)
+        robot.drives()
+
+
+def test_a_transform_of_the_last_day_does_not_keep_others_from_being_heard(frames):
+    """Of whatever frame: tf2 counts back from there, and throws what it does not catch."""
+    frame = "camera_beside_the_last_day"
+    frames.moves(frame)
+    with driving_robot(view=hall(frame=frame), target_frame=BASE) as robot:
+        for _ in range(3):
+            of_the_last_day = camera_in_base("something_of_the_last_day")
+            of_the_last_day.header.stamp = rospy.Time(2**32 - 1, 0)
+            frames.says(of_the_last_day)
+            time.sleep(0.1)
+        eventually(lambda: "cannot be taken" in robot.process.output())
+        time.sleep(AHEAD + 0.5)
+        assert robot.process.exit_code is None
+        robot.camera.changes()
         robot.drives()
 
 

@@ -104,6 +104,19 @@ def test_a_nodelet_with_unfit_parameters_says_all_that_is_wrong(master):
         rospy.delete_param(NODE)
 
 
+@pytest.mark.parametrize("period", [float("nan"), 1e10, -1.0], ids=str)
+def test_a_manager_outlives_a_period_of_diagnostics_that_is_none(nodelet, period):
+    """diagnostic_updater reads it anew each time."""
+    try:
+        rospy.set_param(NODE + "/diagnostic_period", period)
+        time.sleep(3.0)
+        assert nodelet.process.exit_code is None, nodelet.process.output()
+        nodelet.camera.changes()
+        nodelet.drives()
+    finally:
+        rospy.delete_param(NODE + "/diagnostic_period")
+
+
 def test_others_that_keep_the_queue_busy_do_not_keep_the_robot_driving(shared):
     says("/block", 3.0)
     shared.camera.changes()

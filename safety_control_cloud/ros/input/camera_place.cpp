@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "../../core/text/words.hpp"
 
@@ -65,13 +66,22 @@ ros::NodeHandle handle_on(ros::CallbackQueue& queue) {
 }  // namespace
 
 /// The listener's own thread would wake a hundred times a second, even where nobody sends a transform.
-CameraPlace::CameraPlace(const std::string& target_frame)
+CameraPlace::CameraPlace(const std::string& target_frame, Say warn)
     : target_frame_(target_frame),
       handle_(handle_on(heard_)),
       listener_(buffer_, handle_, false),
-      hearing_(1, &heard_) {
+      warn_(std::move(warn)),
+      hearing_(heard_, [this](const std::exception& problem) {
+        on_thrown(problem.what());
+        return true;
+      }) {
   buffer_.setUsingDedicatedThread(true);  // which this is
-  hearing_.start();
+}
+
+/// By ros::Time, of a stamp at the end of its range. Each problem is told once: they may come a hundred times a second.
+void CameraPlace::on_thrown(const std::string& problem) {
+  if (problem == std::exchange(told_, problem)) return;
+  warn_("transforms that have come together cannot be taken: " + problem);
 }
 
 Placing CameraPlace::at(const std_msgs::Header& cloud) const {

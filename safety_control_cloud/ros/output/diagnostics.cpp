@@ -4,7 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 #include <vector>
+
+#include "../../core/text/words.hpp"
+#include "../time/diagnostic_period.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -12,6 +17,7 @@ namespace {
 constexpr std::size_t kept_durations = 300;  // ten seconds of a 30 Hz camera
 constexpr std::uint32_t largest_gap = 1000;  // a greater one is another publisher, not dropped clouds
 constexpr double milliseconds = 1000.0;
+constexpr double usual_period = 1.0;  // [s]
 
 std::uint8_t level_of(const Decision& decision) {
   using diagnostic_msgs::DiagnosticStatus;
@@ -56,9 +62,11 @@ void Diagnostics::Fed::add_to(diagnostic_updater::DiagnosticStatusWrapper& statu
   status.add(whose + "clouds dropped", dropped);
 }
 
-Diagnostics::Diagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+Diagnostics::Diagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, Say warn,
                          const std::vector<std::string>& sensors)
-    : updater_(handle, private_handle, private_handle.getNamespace()), updated_(ros::SteadyTime::now()) {
+    : updater_(handle, private_handle, private_handle.getNamespace()),
+      warn_(std::move(warn)),
+      updated_(ros::SteadyTime::now()) {
   for (const std::string& name : sensors) fed_.push_back({name});
   updater_.setHardwareID("depth camera");
   updater_.add("safety", this, &Diagnostics::report);
@@ -78,12 +86,19 @@ void Diagnostics::on_quiet(const Decision& decision) {
   update();
 }
 
-/// By a steady clock: where ROS time stands still or goes back, it is needed the most, and the updater would wait.
+/// By a steady clock: where ROS time stands still or goes back, it is needed the most, and the updater would wait. That
+/// reads ~diagnostic_period anew each time, which may be anything by now, and throws what ros::Duration cannot hold.
 void Diagnostics::update() {
   const ros::SteadyTime now = ros::SteadyTime::now();
-  if ((now - updated_).toSec() < updater_.getPeriod()) return;
+  const double period = updater_.getPeriod();
+  if ((now - updated_).toSec() < (is_diagnostic_period(period) ? period : usual_period)) return;
   updated_ = now;
-  updater_.force_update();
+  try {
+    updater_.force_update();
+    is_period_bad_ = false;
+  } catch (const std::runtime_error& problem) {
+    if (!std::exchange(is_period_bad_, true)) warn_(words("~diagnostic_period is no time: ", problem.what()));
+  }
 }
 
 void Diagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) {

@@ -6,6 +6,7 @@
 #include <std_msgs/Header.h>
 
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,8 +28,10 @@ class Durations {
 /// Reports on /diagnostics what the node decides and how well it is fed.
 class Diagnostics {
  public:
-  /// `sensors`: their names, if there are several.
-  Diagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+  using Say = std::function<void(const std::string&)>;
+
+  /// `warn` is told why nothing is reported. `sensors`: their names, if there are several.
+  Diagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, Say warn,
               const std::vector<std::string>& sensors = {""});
 
   /// A cloud of one of the sensors was decided on in `decision_time` [s]; `latency` [s] is the time from its stamp to
@@ -57,6 +60,8 @@ class Diagnostics {
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   diagnostic_updater::Updater updater_;
+  const Say warn_;
+  bool is_period_bad_ = false;
   ros::SteadyTime updated_;
   Decision decision_;
   double override_left_ = 0.0;
