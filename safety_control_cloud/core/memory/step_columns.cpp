@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step_columns.hpp"
 
-#include <cstdlib>
 #include <utility>
 
 namespace safety_control_cloud {
@@ -9,10 +8,6 @@ namespace {
 
 /// By which the heights of two pixels of the same ground may differ [mm].
 constexpr std::int16_t same_ground = 15;
-
-bool is_same_ground(StepColumns::Millimetres one, StepColumns::Millimetres other) {
-  return std::abs(one - other) <= same_ground;
-}
 
 }  // namespace
 
@@ -37,23 +32,11 @@ void StepColumns::look_at(const NearGround& ground, const std::vector<Millimetre
 /// A step that is kept goes on as one while its foot leaves the picture: what is left of it need be no step by itself.
 void StepColumns::look_at_row(Row number, const NearGround::Code* codes, const Millimetres* kept) {
   std::swap(row_, row_below_);
-  Millimetres *lowest = lowest_.data(), *above = above_.data(), *row = row_.data();
-  Row *lowest_row = lowest_row_.data(), *first_above = first_above_.data();
-  const Millimetres* const below = row_below_.data();
+  Millimetres* const row = row_.data() + 1;
   const std::size_t width = lowest_.size();
-  for (std::size_t i = 0; i < width; ++i) row[i + 1] = ground_now(codes[i]);
-  for (std::size_t i = 0; i < width; ++i) {
-    const Millimetres ground = row[i + 1];
-    const bool is_shown_twice =
-        is_same_ground(ground, row[i]) || is_same_ground(ground, row[i + 2]) || is_same_ground(ground, below[i + 1]);
-    const bool is_lowest = lowest[i] == none && is_shown_twice && ground != none;
-    lowest[i] = is_lowest ? ground : lowest[i];
-    lowest_row[i] = is_lowest ? number : lowest_row[i];
-    const Millimetres floor = std::max(lowest[i] == none ? Millimetres{0} : lowest[i], kept[i]);
-    const bool is_above = is_on_step(ground, floor);
-    above[i] = static_cast<Millimetres>(above[i] + is_above);
-    first_above[i] = is_above && first_above[i] == no_row ? number : first_above[i];
-  }
+  for (std::size_t i = 0; i < width; ++i) row[i] = ground_now(codes[i]);
+  lines::note_steps(row, row_below_.data() + 1, kept, width, number, {same_ground, step_height},
+                    {lowest_.data(), lowest_row_.data(), above_.data(), first_above_.data()});
 }
 
 }  // namespace safety_control_cloud

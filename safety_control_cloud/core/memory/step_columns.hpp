@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
+#include "kernel/lines.hpp"
 #include "near_ground.hpp"
 
 namespace safety_control_cloud {
@@ -19,8 +19,8 @@ class StepColumns {
   using Row = std::int16_t;              ///< of NearGround, from the lowest up
 
   /// Deeper than any near ground: there is none.
-  static constexpr Millimetres none = std::numeric_limits<Millimetres>::max();
-  static constexpr Row no_row = std::numeric_limits<Row>::max();
+  static constexpr Millimetres none = lines::no_ground;
+  static constexpr Row no_row = lines::no_row;
 
   static Millimetres ground_now(NearGround::Code code) { return code < 0 ? none : code; }
   static bool is_on_step(Millimetres ground, Millimetres floor) { return ground <= floor - step_height; }

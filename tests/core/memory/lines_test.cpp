@@ -17,6 +17,7 @@ namespace {
 class Lines : public InEachInstructionSet {
  protected:
   Surrounding surrounding() { return {{}, Point(0.0f, between(-0.2f, 0.2f), between(-0.2f, 0.2f)), 0.78f}; }
+  int below(unsigned end) { return static_cast<int>(random_() % end); }
 };
 
 TEST_P(Lines, FindWhatIsNearInTheCorridor) {
@@ -60,6 +61,51 @@ TEST_P(Lines, FindNearGroundByItsMillimetres) {
       expected_greatest = std::max(expected_greatest, expected);
     }
     ASSERT_EQ(greatest, expected_greatest);
+  }
+}
+
+/// What a column knows after some rows of ground.
+struct Column {
+  std::int16_t lowest = no_ground, lowest_row = no_row, above = 0, first_above = no_row;
+
+  void take(std::int16_t here, bool is_shown_twice, std::int16_t kept, std::int16_t row, const StepLimits& limits) {
+    if (lowest == no_ground && here != no_ground && is_shown_twice) lowest = here, lowest_row = row;
+    const int floor = std::max<int>(lowest == no_ground ? 0 : lowest, kept);
+    if (here > floor - limits.step) return;
+    ++above;
+    first_above = std::min(first_above, row);
+  }
+};
+
+TEST_P(Lines, NoteStepsFromTheLowestRowUp) {
+  constexpr StepLimits limits{15, 25};
+  const auto some_ground = [this] {
+    const int which = below(8);
+    return static_cast<std::int16_t>(which < 2 ? int{no_ground} : which < 7 ? 280 + below(60) : below(30001));
+  };
+  for (int i = 0; i < times; ++i) {
+    const auto columns = static_cast<std::size_t>(1 + below(200));
+    std::vector<std::int16_t> row(columns + 2, no_ground), under = row, kept(columns, 0);
+    std::vector<std::int16_t> lowest(columns, no_ground), lowest_row = lowest, above(columns, 0), first_above = lowest;
+    std::vector<Column> expected(columns);
+    for (std::int16_t& one : kept) one = static_cast<std::int16_t>(below(3) == 0 ? 250 + below(80) : 0);
+    for (std::int16_t number = 0; number < 8; ++number) {
+      std::swap(row, under);
+      for (std::size_t j = 1; j <= columns; ++j) row[j] = some_ground();
+      note_steps(row.data() + 1, under.data() + 1, kept.data(), columns, number, limits,
+                 {lowest.data(), lowest_row.data(), above.data(), first_above.data()});
+      for (std::size_t j = 0; j < columns; ++j) {
+        const int here = row[j + 1];
+        const bool is_shown_twice = std::abs(here - row[j]) <= limits.same_ground ||
+                                    std::abs(here - row[j + 2]) <= limits.same_ground ||
+                                    std::abs(here - under[j + 1]) <= limits.same_ground;
+        expected[j].take(row[j + 1], is_shown_twice, kept[j], number, limits);
+        ASSERT_EQ(lowest[j], expected[j].lowest);
+        ASSERT_EQ(lowest_row[j], expected[j].lowest_row);
+        ASSERT_EQ(above[j], expected[j].above);
+        ASSERT_EQ(first_above[j], expected[j].first_above);
+      }
+    }
   }
 }
 

@@ -36,6 +36,28 @@ enum Ground : std::int16_t {
 /// Of each of the pixels; the greatest. And how far ahead of the camera each of them is, whatever it is [m].
 int find_ground(const PixelsOfRow& pixels, const Surrounding& around, std::int16_t* ground, float* ahead);
 
+/// Of which there is none; deeper than any near ground.
+constexpr std::int16_t no_ground = std::numeric_limits<std::int16_t>::max();
+constexpr std::int16_t no_row = no_ground;
+
+/// Of each column, from the lowest row up.
+struct StepsSoFar {
+  std::int16_t* lowest;       ///< ground that two pixels beside each other show, one of them below or beside the other
+  std::int16_t* lowest_row;   ///< in which that is
+  std::int16_t* above;        ///< pixels that show ground a step above that, or above what is kept
+  std::int16_t* first_above;  ///< the lowest row with one of them
+};
+
+/// [mm]
+struct StepLimits {
+  std::int16_t same_ground;  ///< by which the heights of two pixels of the same ground may differ
+  std::int16_t step;         ///< by which a step rises, or more
+};
+
+/// One more row of ground, and the one below it; both without anything to either side. `kept` as in StepColumns.
+void note_steps(const std::int16_t* row, const std::int16_t* below, const std::int16_t* kept, std::size_t columns,
+                std::int16_t number, const StepLimits& limits, const StepsSoFar& steps);
+
 /// A line of slots, and two more to each side in which there is no pixel.
 struct LineOfSlots {
   const float* ahead;        ///< [m] of each pixel; NaN where there is none

@@ -75,6 +75,46 @@ int find_ground(const PixelsOfRow& pixels, const Surrounding& around, std::int16
   return greatest;
 }
 
+/// Of two that are not negative, so that this is as short as they are.
+HWY_INLINE std::int16_t apart(std::int16_t one, std::int16_t other) {
+  return static_cast<std::int16_t>(one > other ? one - other : other - one);
+}
+
+/// All bits, or none. With comparisons in their place, GCC 12 branches in note_steps_in.
+HWY_INLINE int if_less(int one, int other) { return (one - other) >> 31; }
+HWY_INLINE int one_of(int bits, int if_all, int if_none) { return (bits & if_all) | (~bits & if_none); }
+
+/// Arguments that do not overlap: of so many arrays, compilers do not find that out at run time. `left` and `right` are
+/// `row`'s own: read as its neighbours, they would be carried from one column to the next, and make no vectors.
+HWY_NOINLINE void note_steps_in(const std::int16_t* HWY_RESTRICT left, const std::int16_t* HWY_RESTRICT row,
+                                const std::int16_t* HWY_RESTRICT right, const std::int16_t* HWY_RESTRICT below,
+                                const std::int16_t* HWY_RESTRICT kept, std::int16_t* HWY_RESTRICT lowest,
+                                std::int16_t* HWY_RESTRICT lowest_row, std::int16_t* HWY_RESTRICT above,
+                                std::int16_t* HWY_RESTRICT first_above, std::size_t columns, std::int16_t number,
+                                const StepLimits& limits) {
+  const int apart_at_least = limits.same_ground + 1, less_than_step = limits.step - 1;
+  for (std::size_t i = 0; i < columns; ++i) {
+    const std::int16_t here = row[i], low = lowest[i], low_row = lowest_row[i], first = first_above[i], keeps = kept[i];
+    const int is_shown_twice = if_less(apart(here, left[i]), apart_at_least) |
+                               if_less(apart(here, right[i]), apart_at_least) |
+                               if_less(apart(here, below[i]), apart_at_least);
+    const int is_lowest = ~if_less(low, no_ground) & if_less(here, no_ground) & is_shown_twice;
+    const int lowest_now = one_of(is_lowest, here, low);
+    const int floor = lowest_now & if_less(lowest_now, no_ground);
+    const int is_above = if_less(here, (floor > keeps ? floor : keeps) - less_than_step);
+    lowest[i] = static_cast<std::int16_t>(lowest_now);
+    lowest_row[i] = static_cast<std::int16_t>(one_of(is_lowest, number, low_row));
+    above[i] = static_cast<std::int16_t>(above[i] - is_above);
+    first_above[i] = static_cast<std::int16_t>(one_of(is_above & ~if_less(first, no_row), number, first));
+  }
+}
+
+void note_steps(const std::int16_t* row, const std::int16_t* below, const std::int16_t* kept, std::size_t columns,
+                std::int16_t number, const StepLimits& limits, const StepsSoFar& steps) {
+  note_steps_in(row - 1, row, row + 1, below, kept, steps.lowest, steps.lowest_row, steps.above, steps.first_above,
+                columns, number, limits);
+}
+
 HWY_INLINE bool goes_on(float one, float other, float jump) { return std::fabs(one - other) <= jump; }
 
 /// As many slots at a time as a compiler needs to see that what it writes on the way is nothing that it reads.
@@ -209,6 +249,7 @@ namespace safety_control_cloud::lines {
 
 HWY_EXPORT(find_near);
 HWY_EXPORT(find_ground);
+HWY_EXPORT(note_steps);
 HWY_EXPORT(go_on_along);
 HWY_EXPORT(go_on_up);
 HWY_EXPORT(in_slots);
@@ -221,6 +262,11 @@ float find_near(const PixelsOfRow& pixels, const Surrounding& around, float* ahe
 
 int find_ground(const PixelsOfRow& pixels, const Surrounding& around, std::int16_t* ground, float* ahead) {
   return HWY_DYNAMIC_DISPATCH(find_ground)(pixels, around, ground, ahead);
+}
+
+void note_steps(const std::int16_t* row, const std::int16_t* below, const std::int16_t* kept, std::size_t columns,
+                std::int16_t number, const StepLimits& limits, const StepsSoFar& steps) {
+  HWY_DYNAMIC_DISPATCH(note_steps)(row, below, kept, columns, number, limits, steps);
 }
 
 void go_on_along(const LineOfSlots& line, std::size_t slots, float jump, std::uint8_t* back, std::uint8_t* begins,

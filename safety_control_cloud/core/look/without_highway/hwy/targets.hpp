@@ -15,6 +15,7 @@
 
 #define HWY_INLINE inline __attribute__((always_inline))
 #define HWY_NOINLINE __attribute__((noinline))
+#define HWY_RESTRICT __restrict__
 #define HWY_ALIGN alignas(32)  // the longest vector
 
 namespace safety_control_cloud::without_highway {
