@@ -156,7 +156,8 @@ bool leaves_at_the_bottom(const Spot& spot, const std::optional<float>& nearer, 
   if (!nearer || !spot.is_shown() || spot.only_hides) return false;
   const auto last = static_cast<double>(picture.height() - 1 - picture.framing().bottom);
   const double middle = picture.framing().middle_row, below = spot.row - middle;
-  return below > 0.0 && below * double{spot.point.z} > (last - middle) * double{spot.point.z - *nearer};
+  const double by_now = double{spot.point.z - std::max(*nearer, spot.came_nearer)};
+  return below > 0.0 && below * double{spot.point.z} > (last - middle) * by_now;
 }
 
 Evidence evidence_of(const Spot& spot, const Pixels& picture) {

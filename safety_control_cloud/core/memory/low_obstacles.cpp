@@ -35,6 +35,8 @@ std::size_t columns_of(const Frame& frame) {
 
 /// Two pictures may show the same floor so many rows apart.
 constexpr StepColumns::Row same_row = 1;
+/// No picture shows the floor as low as that.
+constexpr double below_all = -1.0 - same_row;
 
 /// What a column shows lowest, in the corridor's axes.
 struct Lowest {
@@ -66,7 +68,8 @@ double lowest_in(const Frame& frame) {
 }  // namespace
 
 std::optional<Loss> LowObstacles::judge(const NearGround& ground, const Pixels& picture, const Outlook& outlook,
-                                        const Patience& patience) {
+                                        const Patience& patience, float nearer) {
+  if (nearer > 0.0f) let_come(nearer, ground, outlook);
   survey(ground, picture, outlook);
   forget_old(patience);
   if (std::exchange(is_corridor_new_, false)) drop_what_lies_beside(ground, picture, outlook);
@@ -84,6 +87,7 @@ void LowObstacles::move_to(const Frame& frame) {
   floor_ = stretched(frame_.rays.across ? std::vector<Millimetres>{} : std::move(floor_), columns);
   beside_.clear();
   step_row_.clear();
+  step_at_.clear();
   frame_ = frame;
   for (const Beside& step : steps) {
     if (!shows(step)) beside_.push_back(step);
@@ -100,6 +104,7 @@ void LowObstacles::move_to(float camera_height, float off) {
   const auto up = static_cast<int>(std::lround(1000.0f * (camera_height - *camera_height_)));  // [mm]
   if (up == 0) return;
   step_row_.clear();
+  step_at_.clear();
   *camera_height_ += static_cast<float>(up) / 1000.0f;  // what is left counts with the next
   const auto moved = [=](Millimetres floor) {
     return static_cast<Millimetres>(std::clamp(floor + up, 1, StepColumns::none - 1));
@@ -137,10 +142,29 @@ bool LowObstacles::shows(const Beside& step) const {
 }
 
 void LowObstacles::survey(const NearGround& ground, const Pixels& picture, const Outlook& outlook) {
-  note(ground);
+  note(ground, picture, outlook);
   look_beside(ground, picture, outlook);
   for (std::size_t i = 0; i < ground.columns(); ++i)
     if (shown_[i] == 0 && !hides_floor(i)) floor_[i] = 0;
+}
+
+/// Where it would be in the picture by now, that of all rows between is not known: the robot rolled on, and nobody
+/// looked.
+void LowObstacles::let_come(float nearer, const NearGround& ground, const Outlook& outlook) {
+  const auto& down = frame_.rays.down;
+  if (step_at_.size() != ground.columns() || !down) return;
+  for (std::size_t i = 0; i < ground.columns(); ++i) {
+    if (!is_kept(i) || step_row_[i] == StepColumns::no_row) continue;
+    Point step = step_at_[i];
+    step.z -= nearer;
+    const Point seen = outlook.seen_from_camera(step);
+    const double row = seen.z > 0.0f ? down->pixel(double{seen.y} / seen.z) : std::numeric_limits<double>::infinity();
+    const double from_below =
+        (static_cast<double>(ground.picture_row(0)) - row) / static_cast<double>(ground.row_step());
+    came_to_[i] = std::min(
+        came_to_[i],
+        static_cast<StepColumns::Row>(std::floor(std::clamp(from_below, below_all, double{StepColumns::no_row}))));
+  }
 }
 
 /// In a column that shows no near ground in the corridor, near ground beside it is as good: nothing hides it.
@@ -157,20 +181,28 @@ void LowObstacles::look_beside(const NearGround& ground, const Pixels& picture, 
 }
 
 /// Nearer, the lowest pixel shows more and more of the step.
-void LowObstacles::note(const NearGround& ground) {
+void LowObstacles::note(const NearGround& ground, const Pixels& picture, const Outlook& outlook) {
   const std::size_t columns = ground.columns();
   floor_ = stretched(std::move(floor_), columns);
-  if (step_row_.size() != columns) step_row_.assign(columns, StepColumns::no_row);
+  if (step_row_.size() != columns) {
+    step_row_.assign(columns, StepColumns::no_row);
+    step_at_.assign(columns, Point());
+    came_to_.assign(columns, StepColumns::no_row);
+  }
   shown_.assign(columns, 0);
   columns_.look_at(ground, floor_);
   for (std::size_t i = 0; i < columns; ++i) {
     if (!columns_.rises(i) || ground.is_near(i)) continue;
     const Millimetres lowest = columns_.lowest(i), of_two = columns_.lowest_of_two(i);
     shown_[i] = lowest == StepColumns::none ? floor_[i] : lowest;
+    came_to_[i] = StepColumns::no_row;
     if (of_two == StepColumns::none) continue;
     if (!is_kept(i)) step_row_[i] = StepColumns::no_row;
     floor_[i] = std::max(floor_[i], of_two);
-    step_row_[i] = std::min(step_row_[i], columns_.first_above(i));
+    const StepColumns::Row row = columns_.first_above(i);
+    step_row_[i] = std::min(step_row_[i], row);
+    step_at_[i] =
+        placed(picture.at(ground.picture_row(static_cast<std::size_t>(row)), ground.picture_column(i)), outlook);
   }
 }
 
@@ -196,7 +228,7 @@ bool LowObstacles::hides_floor(std::size_t column) const {
 
 /// What two clouds show lowest.
 bool LowObstacles::is_as_low_as_step(std::size_t column) const {
-  const StepColumns::Row step = step_row_[column];
+  const StepColumns::Row step = std::min(step_row_[column], came_to_[column]);
   return step == StepColumns::no_row || columns_.lowest_row_of_two(column) <= step + same_row;
 }
 

@@ -26,18 +26,19 @@ namespace safety_control_cloud {
 ///
 /// A step is kept by what two clouds in a row show lowest before it, since there may be strays, and two in a row have
 /// to show the floor again before it is forgotten: as low in the picture as the step, since a camera sees the floor
-/// behind what has come too near to return.
+/// behind what has come too near to return; after a pause, as low as the step may have come meanwhile.
 ///
 /// What another picture does not show any more, because it ends higher or farther inward, stays.
 class LowObstacles {
  public:
   /// The nearest in the latest cloud, if one is at least as wide as a thin post. It is lost as a whole, or about to be,
   /// if it is so near that the floor before it is not seen any more; in each column, for as long as patience lasts.
+  /// `nearer` [m] than in the picture before: so much it may have come, if that was a pause ago, or else 0.
   std::optional<Loss> judge(const NearGround& ground, const Pixels& picture, const Outlook& outlook,
-                            const Patience& patience);
+                            const Patience& patience, float nearer);
 
   /// Of a picture that shows too little to forget anything: what is seen in it is kept.
-  void note(const NearGround& ground);
+  void note(const NearGround& ground, const Pixels& picture, const Outlook& outlook);
 
   /// The next picture lies in this frame.
   void move_to(const Frame& frame);
@@ -58,6 +59,7 @@ class LowObstacles {
   void restore(std::vector<NearGround::Code> floor, float camera_height) {
     floor_ = std::move(floor), camera_height_ = camera_height;
     step_row_.clear();
+    step_at_.clear();
   }
 
  private:
@@ -74,6 +76,7 @@ class LowObstacles {
   std::vector<Beside> all_steps() const;
   bool shows(const Beside& step) const;
   void survey(const NearGround& ground, const Pixels& picture, const Outlook& outlook);
+  void let_come(float nearer, const NearGround& ground, const Outlook& outlook);
   void look_beside(const NearGround& ground, const Pixels& picture, const Outlook& outlook);
   void forget_old(const Patience& patience);
   bool is_as_low_as_step(std::size_t column) const;
@@ -92,6 +95,8 @@ class LowObstacles {
   std::vector<Millimetres> floor_;          ///< before a step that is kept; 0 if there is none
   std::vector<Millimetres> shown_;          ///< before a step that this cloud shows; 0 if it shows none
   std::vector<StepColumns::Row> step_row_;  ///< the lowest that has shown a step that is kept, as far as that is known
+  std::vector<Point> step_at_;              ///< where that was in the latest that showed it, in the corridor's axes [m]
+  std::vector<StepColumns::Row> came_to_;   ///< as low as that it may be by now, which no picture since has shown
   std::vector<double> hidden_since_;        ///< [s] steady: the floor before it
   bool is_corridor_new_ = false;            ///< and no cloud has come since
   std::optional<float> camera_height_;      ///< [m] as `floor_` is told; none: no picture has come

@@ -29,7 +29,8 @@ constexpr double watched = 1.6;
 /// What is seen comes nearer between two pictures by so much, and by so much a second [m]: a robot of 0.2 m/s, and what
 /// comes to meet it.
 constexpr double least_step = 0.03, fastest_step = 0.4;
-constexpr double longest_step = 0.5;  ///< [s]
+constexpr double longest_step = 0.5;                                                      ///< [s]
+constexpr float step_after_pause = static_cast<float>(least_step + 0.25 * fastest_step);  ///< in more than 0.25 s
 
 constexpr const char* what_frees =
     "the camera sees what is behind it, or the near floor on which it stood, or after ~reset, when somebody has looked";
@@ -103,7 +104,7 @@ bool NearLoss::note_picture(const View& view, const Sight& sight, const Outlook&
   look_at_ground(picture, outlook);
   const bool any =
       shows_near(sight, outlook) && note({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels});
-  low_.note(ground_);
+  low_.note(ground_, picture, outlook);
   return any;
 }
 
@@ -155,9 +156,9 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
   Pixels picture = framed(view, outlook);
   picture.frame(margins_.note(picture));
   look_at_ground(picture, outlook);
-  remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels}, 1, patience,
-           step_since_picture(patience.now));
-  const auto low = low_.judge(ground_, picture, outlook, patience);
+  const float step = step_since_picture(patience.now);
+  remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels}, 1, patience, step);
+  const auto low = low_.judge(ground_, picture, outlook, patience, step > step_after_pause ? step : 0.0f);
   const auto thing = nearest_loss(things_.things(), outlook, kept());
   is_cut_off_below_ = recedes_at_the_bottom(picture, sight.nearest_in_rows);
   note_backdrop(picture, thing && thing->whole);
@@ -214,9 +215,10 @@ void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, 
   things_.forget_old(patience);
 }
 
-/// [m] by which a thing may have come nearer; of a long while, no more than of `longest_step`.
+/// [m] by which a thing may have come nearer; of a long while, as before the first picture, no more than of
+/// `longest_step`.
 float NearLoss::step_since_picture(double now) {
-  const double since = looked_at_ ? std::clamp(now - *looked_at_, 0.0, longest_step) : 0.0;
+  const double since = looked_at_ ? std::clamp(now - *looked_at_, 0.0, longest_step) : longest_step;
   looked_at_ = now;
   return static_cast<float>(least_step + since * fastest_step);
 }

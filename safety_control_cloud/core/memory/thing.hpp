@@ -36,6 +36,7 @@ struct Spot {
   bool went_alone = false;             ///< the rest of the thing was still seen then: it does not go with that
   bool only_hides = false;             ///< what is behind it, and was never seen: it is there, or nearer on that ray
   CameraPose camera{};                 ///< then
+  float came_nearer = 0.0f;            ///< [m] at most, by the first picture that did not show it
   float turning = 0.0f;                ///< [rad] by which its picture turned from the one before
   std::uint32_t picture = 0;           ///< the number of the one that showed it; 0: none did
   std::optional<double> lost_since{};  ///< [s] steady

@@ -76,7 +76,10 @@ void ThingsMemory::update(std::vector<Thing> seen, const Pixels& picture, const 
                           const Backdrop& backdrop, float near, Gaze gaze) {
   const float turning = turning_to(gaze.camera);
   auto before = follow(things_, std::move(seen), near, {++picture_, turning});
-  for (std::size_t i = 0; i < things_.size(); ++i) lose(things_[i], std::move(before[i]));
+  for (std::size_t i = 0; i < things_.size(); ++i) {
+    for (Spot& spot : before[i].spots) spot.came_nearer = gaze.nearer.value_or(0.0f);
+    lose(things_[i], std::move(before[i]));
+  }
   unlearn_blind_range();
   const bool rest = turning <= still;
   has_turned_ = has_turned_ || !rest;

@@ -70,6 +70,35 @@ TEST(LeavingBelow, SomebodyWhoCrossesHasGone) {
   EXPECT_EQ(robot.looks({behind}).speed, 0.2);
 }
 
+/// Nobody looked for a while, in which the robot rolled on: what the picture before showed was farther from its border.
+TEST(LeavingBelow, ItMayHaveLeftInAPauseOfTheCamera) {
+  const Lens lens;
+  constexpr float height = 0.11f, leaves_at = (floor_y - height) / 0.4294f;  // [m]
+  for (const double pause : {0.3, 0.7, 3.0}) {
+    Robot robot;
+    const auto looks = [&](float front) {
+      const auto points = lens.points(box(front, height, 0.0f));
+      return robot.sees(lens.view_of_rows(points));
+    };
+    for (float front = leaves_at + 0.5f; front > leaves_at + 0.08f; front -= 0.01f) looks(front);
+    robot.waits(pause);
+    for (int i = 0; i < 100; ++i) looks(leaves_at - 0.01f);
+    EXPECT_EQ(looks(leaves_at - 0.01f).speed, 0.0) << pause;
+    robot.control().forget_losses();
+    EXPECT_EQ(looks(leaves_at - 0.01f).speed, 0.2) << "somebody has looked";
+  }
+}
+
+TEST(LeavingBelow, SomebodyWhoLeavesInAPauseHasGone) {
+  for (const float ahead : {0.6f, 0.8f, 1.0f}) {
+    RobotWithLowPicture robot;
+    for (int i = 0; i < 20; ++i) robot.looks({behind, post(ahead, 0.0f, 0.12f)});
+    robot.waits(1.0);
+    for (int i = 0; i < 10; ++i) robot.looks({behind});
+    EXPECT_EQ(robot.looks({behind}).speed, 0.2) << ahead;
+  }
+}
+
 TEST(LeavingBelow, AWallThatReachesBelowThePictureIsAsFarAsItIsSeen) {
   RobotWithLowPicture robot;
   for (float z = 1.5f; z > 0.51f; z -= 0.01f)

@@ -63,6 +63,24 @@ TEST(LowObstacles, NoneIsForgottenWhileItsFootLeavesThePicture) {
   }
 }
 
+/// Nobody looked for a while, in which the robot rolled on.
+TEST(LowObstacles, AKerbMayHaveLeftInAPauseOfTheCamera) {
+  const auto after_pause = [](double seconds, float at) {
+    Robot robot;
+    for (const float z : {0.78f, 0.76f, 0.74f, 0.72f, 0.70f}) robot.sees({kerb(z, 0.05f)});
+    robot.waits(seconds);
+    for (int i = 0; i < 100; ++i) robot.sees({kerb(at, 0.05f)});
+    return robot.sees({kerb(at, 0.05f)});
+  };
+  constexpr float left = 0.55f;  // [m] from the camera: below its picture
+  for (const double pause : {0.3, 0.7, 3.0}) {
+    EXPECT_EQ(after_pause(pause, left).cause, Cause::LowObstacle) << pause;
+    EXPECT_EQ(after_pause(pause, left).speed, 0.0) << pause;
+    EXPECT_EQ(after_pause(pause, 0.68f).cause, Cause::LowObstacle) << "it has stayed in view";
+  }
+  EXPECT_EQ(after_pause(0.0, left).speed, 0.2) << "from one cloud to the next it was taken away";
+}
+
 TEST(LowObstacles, RobotSlowsBeforeAKerbAboveABorderThatNeverReturns) {
   Robot robot;
   Scene scene({kerb(0.74f, 0.05f)});
