@@ -10,6 +10,7 @@ namespace {
 
 constexpr const char* what_frees =
     "a sensor sees past that, or after memory_time, or after ~reset, when somebody has looked";
+constexpr const char* what_frees_who_strayed = "after memory_time, or after ~reset, when somebody has looked";
 constexpr double begins_after = 0.2;  ///< [s] that odometry must go on before it is asked
 constexpr double least_jump = 0.1;    ///< [m], [rad]
 constexpr double soon = 0.05;         ///< [s] in which no base comes to move much otherwise
@@ -69,6 +70,7 @@ void GuardMemory::forget() {
   recalled_.reset();
   jumped_.reset();
   told_since_.reset();
+  strayed_.reset();
 }
 
 /// As of the latest look that somebody knows the place of.
@@ -131,6 +133,17 @@ void GuardMemory::go_on_as_told(const Instant& now) {
   by_odometry_ = false;
   told_since_ = now.steady;
   latest_.reset();
+}
+
+/// A base that nobody tells anything stands sooner or later, or goes on for ever.
+void GuardMemory::note_deafness(double seconds, const Given& given, const Instant& now) {
+  const Pose2 way = way_of(given.told_at(now.steady), seconds);
+  if (displacement(way, 1.0) > well_known && out_of_sight_.has_seen_any(now.steady)) strayed_ = now.steady;
+}
+
+/// What was remembered then.
+bool GuardMemory::has_strayed(const Instant& now) const {
+  return !by_odometry_ && strayed_ && now.steady - *strayed_ <= time_;
 }
 
 std::optional<Pose2> GuardMemory::note(std::size_t sensor, const Look& look, const Went& went, const Instant& now) {
@@ -226,6 +239,8 @@ std::optional<Doubt> GuardMemory::doubt_at(const Instant& now, const Went& went,
   const bool is_placed_by_odometry = by_odometry_ && out_of_sight_.holds_any(now.steady);
   if (is_placed_by_odometry && went.odometry.breaks() != breaks_)
     return in_doubt("odometry jumped or paused, and what is out of sight cannot be placed");
+  if (has_strayed(now))
+    return in_doubt("this node stood still as the robot drove, and what is out of sight cannot be placed");
   if (recalled_) return in_doubt("no odometry, and what was out of sight before this start cannot be placed");
   if (waits_for(sensors, now)) return in_doubt("odometry jumped or paused, and not every sensor has looked since");
   if (is_placed_by_odometry && !(went.odometry.is_fresh(now.ros) && went.odometry.pose_at(now.ros)))
@@ -239,6 +254,7 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
   Known known;
   known.sensor = "memory";
   known.doubt = doubt_at(now, went, sensors);
+  if (has_strayed(now)) known.hint = what_frees_who_strayed;
   if (known.doubt) return {known};
   jumped_.reset();
   if (!out_of_sight_.holds_any(now.steady)) return {};

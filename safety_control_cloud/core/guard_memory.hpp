@@ -47,6 +47,9 @@ class GuardMemory {
   /// What is remembered goes on from the latest look, by what the base was told since.
   bool note_breaks(const Went& went, const Instant& now);
 
+  /// Nobody listened for so long [s] until now, as the robot did what it was `given`, or stood, since that ended.
+  void note_deafness(double seconds, const Given& given, const Instant& now);
+
   /// A sensor shows this. Where the robot was then by odometry; none: nobody knows.
   std::optional<Pose2> note(std::size_t sensor, const Look& look, const Went& went, const Instant& now);
 
@@ -73,6 +76,7 @@ class GuardMemory {
   Pose2 way_during(const Look& look, const Went& went, const Instant& now) const;
   std::optional<Whereabouts> whereabouts_at(double age, const Went& went, const Instant& now) const;
   bool waits_for(const std::vector<GuardSensor>& sensors, const Instant& now) const;
+  bool has_strayed(const Instant& now) const;
   std::optional<Doubt> doubt_at(const Instant& now, const Went& went, const std::vector<GuardSensor>& sensors) const;
 
   struct Latest {
@@ -93,6 +97,7 @@ class GuardMemory {
   std::optional<KeptPlaces> recalled_;  ///< of another process, and not placed yet
   std::optional<Latest> latest_;        ///< look that was placed
   std::optional<double> told_since_;    ///< [s, steady] odometry broke off, and has not spoken since
+  std::optional<double> strayed_;       ///< [s, steady] it went on by itself until then, as far as nobody knows
   std::optional<double> jumped_;        ///< [s, ROS] since then odometry goes on, and not every sensor has looked
 };
 

@@ -116,6 +116,11 @@ void Perception::explain_blindness(std::size_t sensor, const Origin& origin, con
 
 /// One sensor that is not required, and in doubt, is as good as not there, but for what it has lost; and not for a
 /// change of the settings.
+void Perception::note_deafness(double seconds, const Instant& now, const Given& given) {
+  odometry_.note_deafness(now.ros - seconds, now.ros);
+  memory_.note_deafness(seconds, given, now);
+}
+
 std::vector<Known> Perception::known_at(const Instant& now, const Given& given, const Guard& guard,
                                         std::vector<std::string>& doubts) {
   std::vector<Known> all, left;

@@ -35,6 +35,9 @@ class Perception {
   ClosedEdges& switches() { return closed_; }
   GuardSensor& sensor(std::size_t i) { return sensors_[i]; }
 
+  /// Nobody listened for so long [s] until now, as the robot did what it was `given`.
+  void note_deafness(double seconds, const Instant& now, const Given& given);
+
   /// What is in doubt outside of the sensors, until there is none.
   void note_outside(std::optional<Doubt> doubt) { outside_ = std::move(doubt); }
   bool is_in_doubt_outside() const { return outside_.has_value(); }

@@ -51,7 +51,8 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
       diagnostics_(
           handle, private_handle, [this](const std::string& line) { log_.warn(line); }, names_of(settings.sensors)) {
   on_quiet();
-  odometry_.emplace(handle, control_, [this](const std::string& line) { log_.warn(line); });
+  odometry_.emplace(
+      handle, control_, [this] { beat(now()); }, [this](const std::string& line) { log_.warn(line); });
   override_ = private_handle.advertiseService("override", &GuardNode::on_override, this);
   wanted_ = subscribe_to_wanted(
       handle, settings.command_type,
@@ -89,15 +90,19 @@ void GuardNode::on_wanted(const geometry_msgs::Twist& wanted, std::optional<doub
   publish(answer());
 }
 
+void GuardNode::beat(const Instant& now) {
+  if (const auto gap = gap_.beat(now, control_.settings())) control_.note_deafness(*gap, now);
+}
+
 /// What has no stamp, and waited in a socket while the process stood still, is told from nothing.
 bool GuardNode::may_have_waited(const Instant& came) {
-  gap_.beat(came, control_.settings());
+  beat(came);
   return gap_.has_gone_on_within(control_.settings().command_timeout, came);
 }
 
 void GuardNode::on_arrival(std::size_t sensor, const Arrival& arrival) {
   const Instant came = now();
-  gap_.beat(came, control_.settings());
+  beat(came);
   header_ = arrival.header;
   see(sensor, arrival, came);
   const Guarded& decided = answer();
@@ -122,7 +127,7 @@ void GuardNode::see(std::size_t sensor, const Arrival& arrival, const Instant& c
 
 void GuardNode::on_switch(std::size_t which, Edge edge, bool touched) {
   const Instant came = now();
-  gap_.beat(came, control_.settings());
+  beat(came);
   control_.note_switch(which, edge, touched, came);
   const Guarded& decided = answer();
   if (changes(decided)) publish(decided);
@@ -144,7 +149,7 @@ void GuardNode::on_footprint(const geometry_msgs::PolygonStamped& polygon) {
 }
 
 void GuardNode::on_quiet() {
-  gap_.beat(now(), control_.settings());
+  beat(now());
   const Guarded& decided = answer();
   publish(decided);
   diagnostics_.on_quiet(to_decision(decided));

@@ -48,6 +48,7 @@ class GuardNode : public Node {
   void on_quiet();
   bool on_override(OverrideRequest& wish, OverrideResponse& response);
 
+  void beat(const Instant& now);
   bool may_have_waited(const Instant& came);
   void see(std::size_t sensor, const Arrival& arrival, const Instant& came);
   const Guarded& answer();

@@ -205,6 +205,32 @@ TEST(GuardMemory, WhoNeverHadOdometryDrivesByWhatHeSees) {
   EXPECT_EQ(robot.asked(left).factor, 1.0);
 }
 
+/// A base that was told nothing may have stood soon, or have driven on all the while.
+TEST(GuardMemory, WhoDidNotListenWhileTheRobotDroveStandsIfNothingIsPlacedByOdometry) {
+  for (const bool has_odometry : {false, true}) {
+    RobotWithOdometry robot;
+    robot.has_odometry = has_odometry;
+    robot.passes(0.5, with_post);
+    const auto is_deaf = [&](double seconds) {
+      robot.wants({0.2, 0.0, 0.0});
+      robot.pass(seconds);
+      robot.control.note_deafness(seconds, robot.now);
+      robot.passes(0.3, with_post);
+      return robot.wants({-0.2, 0.0, 0.0}).cause == Cause::NoOdometry;
+    };
+    EXPECT_FALSE(is_deaf(0.6)) << "0.12 m";
+    EXPECT_EQ(is_deaf(4.0), !has_odometry);
+    robot.passes(29.0, robot.hall);
+    EXPECT_EQ(robot.wants({-0.2, 0.0, 0.0}).cause == Cause::NoOdometry, !has_odometry);
+    robot.passes(1.5, robot.hall);
+    EXPECT_NE(robot.wants({-0.2, 0.0, 0.0}).cause, Cause::NoOdometry) << "after memory_time";
+    robot.passes(0.5, with_post);
+    is_deaf(4.0);
+    robot.control.forget_losses();
+    EXPECT_NE(robot.wants({-0.2, 0.0, 0.0}).cause, Cause::NoOdometry) << "somebody has looked";
+  }
+}
+
 TEST(GuardMemory, ResetForgets) {
   RobotWithOdometry robot;
   robot.passes(0.5, with_post);

@@ -1,7 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The guard, and who tells it where the robot goes."""
+import signal
+import time
+
 from guarded import guarded_robot, odometry_at_rest, twist
-from robot import eventually
+from robot import NODE, eventually
+from scenes import hall, post, wall
+from std_srvs.srv import Trigger
+
+import rospy
 
 from safety_control_cloud.processes import process
 
@@ -22,6 +29,40 @@ def test_two_that_tell_where_it_goes_are_named_and_doubted_until_one_is_left(mas
                 assert state.doubts[0].startswith("odometry: ")
                 eventually(lambda: names_two(robot.process.output()))
             robot.gives(lambda state: state.doubts == [])
+
+
+def stands_still(robot, seconds):
+    robot.process.send(signal.SIGSTOP)
+    time.sleep(seconds)
+    robot.process.send(signal.SIGCONT)
+    return time.monotonic()
+
+
+def test_a_node_that_stood_still_goes_on_with_what_odometry_tells_by_then(master):
+    with guarded_robot(memory_distance=1.5) as robot, odometry_at_rest():
+        robot.camera.show(hall(wall(1.2)))
+        robot.driver.say(twist(0.2))
+        robot.gives(lambda state: state.doubts == [] and state.cause_text == "SEEN")
+        went_on = stands_still(robot, 4.0)
+        robot.gives(lambda state: state.cause_text == "SEEN")
+        time.sleep(1.0)
+        told = [state for at, state in robot.states.timed() if at >= went_on]
+        assert not [doubt for state in told for doubt in state.doubts if "did not go on" in doubt]
+        assert "NO_ODOMETRY" not in {state.cause_text for state in told}
+
+
+def test_a_node_that_stood_still_as_the_robot_drove_stands_without_odometry(master):
+    with guarded_robot(memory_distance=1.5) as robot:
+        robot.camera.show(hall(post(0.9, 0.1)))
+        robot.driver.say(twist(0.0))
+        robot.passes(twist(0.0))
+        robot.driver.say(twist(0.2))
+        eventually(lambda: robot.last_given().linear.x > 0.1)
+        stands_still(robot, 4.0)
+        robot.stands("NO_ODOMETRY")
+        assert "~reset" in robot.states.all()[-1].hint
+        eventually(lambda: rospy.ServiceProxy(NODE + "/reset", Trigger)().success)  # not at once
+        robot.gives(lambda state: state.cause_text == "SEEN")
 
 
 def test_an_odom_frame_that_tf_does_not_know_is_named(master):

@@ -24,6 +24,9 @@ class Given {
   /// The base is told this from now on.
   void note(const Twist2& twist, double now);
 
+  /// What it was told last then.
+  Twist2 told_at(double moment) const;
+
   /// All that it may be doing until a new command has its effect: every twist of the last delay, how it still moves if
   /// it brakes as slowly as it can, and what is `measured`; or fewer, if no stopping way of these exceeds theirs.
   std::vector<Twist2> under_way(double now, const std::optional<Twist2>& measured = std::nullopt) const;
@@ -60,7 +63,6 @@ class Given {
   };
 
   std::deque<Told>::const_iterator first_after(double moment) const;
-  Twist2 told_at(double moment) const;
   Twist2 slowly_at(double moment) const;
   Pose2 slow_pose_at(double moment) const;
   TwistRange aims_at(double moment) const;

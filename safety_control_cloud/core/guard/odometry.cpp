@@ -91,9 +91,16 @@ bool Odometry::is_known(const Noted& said) const {
   return length_of(off.place) <= noise && std::abs(wrapped(off.heading)) <= noise;
 }
 
+/// [s] from the latest stamp. Who did not listen goes on with where the robot is by now, as far as its twists explain
+/// that.
+double Odometry::longest_gap_until(double stamp) const {
+  if (!deaf_) return longest_gap;
+  return longest_gap + std::max(0.0, std::min(stamp, deaf_->until) - std::max(noted_.back().stamp, deaf_->from));
+}
+
 bool Odometry::goes_on(const Noted& next) const {
   const double time = next.stamp - noted_.back().stamp;
-  if (!(time > 0.0 && time <= longest_gap)) return false;
+  if (!(time > 0.0 && time <= longest_gap_until(next.stamp))) return false;
   const Drift unexplained = unexplained_by(next);
   return unexplained.place <= most_off && unexplained.heading <= most_off;
 }

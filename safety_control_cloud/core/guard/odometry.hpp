@@ -23,6 +23,9 @@ class Odometry {
   /// than `fastest` [m/s] and `fastest_turn` [rad/s]: what is faster is a jump.
   void note_pose(double stamp, const Pose2& pose, double fastest, double fastest_turn);
 
+  /// Nobody listened from then until then [s, ROS time]: what was said meanwhile is not known, but that it was.
+  void note_deafness(double from, double until) { deaf_ = Deaf{from, until}; }
+
   /// The way from `stamp` until `now` [s, ROS time]; none if it does not span that.
   std::optional<Pose2> way_since(double stamp, double now) const;
 
@@ -63,6 +66,11 @@ class Odometry {
     Drift unexplained = {};  ///< of all the way until there
   };
 
+  struct Deaf {
+    double from, until;  ///< [s, ROS time]
+  };
+
+  double longest_gap_until(double stamp) const;
   Drift unexplained_by(const Noted& next) const;
   bool goes_on(const Noted& next) const;
   bool is_known(const Noted& said) const;
@@ -71,6 +79,7 @@ class Odometry {
   Pose2 foretold(double time) const;
 
   std::deque<Noted> noted_;
+  std::optional<Deaf> deaf_;  ///< the latest
   std::size_t breaks_ = 0;
   double since_ = 0.0;
   bool tells_twists_ = false;  ///< some leave them zero for ever

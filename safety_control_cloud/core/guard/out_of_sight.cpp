@@ -152,6 +152,11 @@ bool OutOfSight::holds_any(double now) const {
   return std::any_of(places_.begin(), places_.end(), [&](const auto& entry) { return counts(entry.second, now); });
 }
 
+bool OutOfSight::has_seen_any(double now) const {
+  return std::any_of(places_.begin(), places_.end(),
+                     [&](const auto& entry) { return shown_by(entry.second, now) != nullptr; });
+}
+
 template <class Visit>
 void OutOfSight::for_each(const Whereabouts& robot, double now, Visit visit) const {
   const SeenAfter seen_after(robot.pose);

@@ -76,6 +76,8 @@ class OutOfSight {
 
   /// Whether anything is.
   bool holds_any(double now) const;
+  /// The same of what one look alone has shown.
+  bool has_seen_any(double now) const;
 
   /// What is kept and was seen to rest, around the robot, and as a camera there has it. What walks leaves a trail of
   /// places, of which each was shown for a moment.

@@ -3,6 +3,7 @@
 
 #include <ros/transport_hints.h>
 
+#include <cstdint>
 #include <utility>
 
 #include "../graph/named_in.hpp"
@@ -11,20 +12,21 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double patience = 5.0;  // [s]
+constexpr double patience = 5.0;             // [s]
+constexpr std::uint32_t most_waiting = 100;  // a second or two, so that a thread that is kept waiting hears all of it
 
 }  // namespace
 
-OdometryInput::OdometryInput(ros::NodeHandle& handle, GuardControl& control,
+OdometryInput::OdometryInput(ros::NodeHandle& handle, GuardControl& control, std::function<void()> beat,
                              std::function<void(const std::string&)> warn)
-    : control_(control), warn_(std::move(warn)) {
+    : control_(control), beat_(std::move(beat)), warn_(std::move(warn)) {
   const Settings& settings = control_.settings();
   if (!settings.odom_frame.empty()) {
     transforms_.emplace(settings.odom_frame, settings.base_frame);
     return;
   }
   subscriber_ = handle.subscribe<nav_msgs::Odometry>(
-      named_in(handle, "odom"), 10,
+      named_in(handle, "odom"), most_waiting,
       boost::function<void(const ros::MessageEvent<nav_msgs::Odometry const>&)>(
           [this](const ros::MessageEvent<nav_msgs::Odometry const>& event) { on_message(event); }),
       nullptr, ros::TransportHints().tcpNoDelay());
@@ -46,6 +48,7 @@ void OdometryInput::warn_of_frame_that_nobody_knows() {
 }
 
 void OdometryInput::on_message(const ros::MessageEvent<nav_msgs::Odometry const>& event) {
+  beat_();
   const nav_msgs::Odometry& odometry = *event.getConstMessage();
   note_publisher(event.getPublisherName());
   const std::string& base = control_.settings().base_frame;

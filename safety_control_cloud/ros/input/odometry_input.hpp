@@ -18,9 +18,10 @@ namespace safety_control_cloud {
 /// Where the robot goes, on its way into the control: from nav_msgs/Odometry, or with an odom_frame from TF.
 class OdometryInput {
  public:
-  /// What it is told of is told to `control`; `warn`, once each, of a frame that is not base_frame, of two that publish
-  /// it in turn, and of an odom_frame that TF does not know.
-  OdometryInput(ros::NodeHandle& handle, GuardControl& control, std::function<void(const std::string&)> warn);
+  /// What it is told of is told to `control`, after a `beat`; `warn`, once each, of a frame that is not base_frame, of
+  /// two that publish it in turn, and of an odom_frame that TF does not know.
+  OdometryInput(ros::NodeHandle& handle, GuardControl& control, std::function<void()> beat,
+                std::function<void(const std::string&)> warn);
   OdometryInput(const OdometryInput&) = delete;
   OdometryInput& operator=(const OdometryInput&) = delete;
 
@@ -33,6 +34,7 @@ class OdometryInput {
   void warn_of_frame_that_nobody_knows();
 
   GuardControl& control_;
+  std::function<void()> beat_;
   std::function<void(const std::string&)> warn_;
   std::optional<TfOdometry> transforms_;
   ros::Subscriber subscriber_;

@@ -21,13 +21,13 @@ double limit_of_wishes(const Settings& settings) {
 
 }  // namespace
 
-void OwnGap::beat(const Instant& now, const Settings& settings) {
-  if (last_ && now.steady - *last_ > limit(settings)) {
-    gap_ = now.steady - *last_;
-    went_on_ = now;
-  }
-  if (last_ && now.steady - *last_ > limit_of_wishes(settings)) hears_since_ = now.steady;
+std::optional<double> OwnGap::beat(const Instant& now, const Settings& settings) {
+  const double since = now.steady - last_.value_or(now.steady);
   last_ = now.steady;
+  const bool is_gap = since > limit(settings), is_gap_of_wishes = since > limit_of_wishes(settings);
+  if (is_gap) gap_ = since, went_on_ = now;
+  if (is_gap_of_wishes) hears_since_ = now.steady;
+  return is_gap || is_gap_of_wishes ? std::optional(since) : std::nullopt;
 }
 
 std::optional<Doubt> OwnGap::doubt_about(double stamp, const Instant& now, const Settings& settings) const {

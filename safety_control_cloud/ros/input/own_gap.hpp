@@ -16,7 +16,9 @@ class OwnGap {
   /// The process runs: called often, also where nothing arrives. A node that runs does something in the longer of
   /// source_timeout and two periods of publish_rate; a gap is longer. To what somebody asks of it, a shorter one is one
   /// too: longer than command_timeout.
-  void beat(const Instant& now, const Settings& settings);
+  ///
+  /// [s] Such a gap that has just ended, be it of one kind or the other.
+  std::optional<double> beat(const Instant& now, const Settings& settings);
 
   /// Of a cloud with this stamp [s] that is taken now: a doubt if it is from before the process went on. For as long
   /// as the limit after that: later the stamps are of another clock. None where no stamp is to be believed.

@@ -114,6 +114,35 @@ TEST(Odometry, AJumpAGapOrNoNumberBeginsItAnew) {
   EXPECT_FALSE(back.way_since(10.4, 10.5));
 }
 
+/// The robot drove on at first, and then stood.
+TEST(Odometry, GoesOnForWhoDidNotListenForAWhile) {
+  const Twist2 twist{0.3, 0.0, 0.0};
+  for (const double ahead : {0.0, 0.2, 1.0}) {
+    Odometry odometry;
+    drive(odometry, twist, 10.0, 1.0);
+    odometry.note_deafness(11.0, 15.0);
+    odometry.note(15.01, {{0.3 + ahead, 0.0}, 0.0}, {});
+    EXPECT_EQ(odometry.breaks(), 0u) << ahead;
+    EXPECT_NEAR(odometry.pose_at(15.01)->place.x, 0.3 + ahead, 1e-9);
+  }
+}
+
+TEST(Odometry, WhatSkipsMoreThanTheWhileInWhichNobodyListenedOrGoesFartherBegan) {
+  const Twist2 twist{0.3, 0.0, 0.0};
+  const auto breaks_of = [&](double from, double until, double ahead) {
+    Odometry odometry;
+    drive(odometry, twist, 10.0, 1.0);
+    odometry.note_deafness(from, until);
+    odometry.note(15.01, {{0.3 + ahead, 0.0}, 0.0}, {});
+    return odometry.breaks();
+  };
+  EXPECT_EQ(breaks_of(11.0, 15.0, 2.0), 1u) << "no twist explains that";
+  EXPECT_EQ(breaks_of(11.0, 15.0, -9.0), 1u);
+  EXPECT_EQ(breaks_of(11.0, 14.0, 0.2), 1u);
+  EXPECT_EQ(breaks_of(12.0, 15.0, 0.2), 1u);
+  EXPECT_EQ(breaks_of(1.0, 5.0, 0.2), 1u) << "long ago";
+}
+
 TEST(Odometry, AJumpIsToldOfForASecond) {
   Odometry odometry;
   drive(odometry, {}, 10.0, 1.0);

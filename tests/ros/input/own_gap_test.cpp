@@ -43,7 +43,9 @@ TEST(OwnGap, WhatWasAskedOfWhoStoodStillForLongerThanACommandHoldsMayHaveWaited)
   for (const double stood : {0.4, 0.6, 4.0}) {
     OwnGap gap;
     gap.beat({10.0, 1010.0}, patient);
-    gap.beat({10.0 + stood, 1010.0 + stood}, patient);
+    const auto ended = gap.beat({10.0 + stood, 1010.0 + stood}, patient);
+    EXPECT_EQ(ended.has_value(), stood > 0.5);
+    EXPECT_NEAR(ended.value_or(stood), stood, 1e-9);
     EXPECT_EQ(gap.has_gone_on_within(0.5, {10.1 + stood, 1010.1 + stood}), stood > 0.5) << stood;
     EXPECT_FALSE(gap.doubt_about(1010.0, {10.1 + stood, 1010.1 + stood}, patient)) << stood;
   }
