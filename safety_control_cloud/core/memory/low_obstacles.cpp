@@ -86,8 +86,7 @@ void LowObstacles::move_to(const Frame& frame) {
   const std::size_t columns = columns_of(frame);
   floor_ = stretched(frame_.rays.across ? std::vector<Millimetres>{} : std::move(floor_), columns);
   beside_.clear();
-  step_row_.clear();
-  step_at_.clear();
+  steps_.clear();
   frame_ = frame;
   for (const Beside& step : steps) {
     if (!shows(step)) beside_.push_back(step);
@@ -103,8 +102,7 @@ void LowObstacles::move_to(float camera_height, float off) {
   if (!camera_height_) camera_height_ = camera_height;
   const auto up = static_cast<int>(std::lround(1000.0f * (camera_height - *camera_height_)));  // [mm]
   if (up == 0) return;
-  step_row_.clear();
-  step_at_.clear();
+  steps_.clear();
   *camera_height_ += static_cast<float>(up) / 1000.0f;  // what is left counts with the next
   const auto moved = [=](Millimetres floor) {
     return static_cast<Millimetres>(std::clamp(floor + up, 1, StepColumns::none - 1));
@@ -152,18 +150,18 @@ void LowObstacles::survey(const NearGround& ground, const Pixels& picture, const
 /// looked.
 void LowObstacles::let_come(float nearer, const NearGround& ground, const Outlook& outlook) {
   const auto& down = frame_.rays.down;
-  if (step_at_.size() != ground.columns() || !down) return;
+  if (steps_.size() != ground.columns() || !down) return;
   for (std::size_t i = 0; i < ground.columns(); ++i) {
-    if (!is_kept(i) || step_row_[i] == StepColumns::no_row) continue;
-    Point step = step_at_[i];
-    step.z -= nearer;
-    const Point seen = outlook.seen_from_camera(step);
+    Step& step = steps_[i];
+    if (!is_kept(i) || step.row == StepColumns::no_row) continue;
+    Point by_now = step.at;
+    by_now.z -= nearer;
+    const Point seen = outlook.seen_from_camera(by_now);
     const double row = seen.z > 0.0f ? down->pixel(double{seen.y} / seen.z) : std::numeric_limits<double>::infinity();
     const double from_below =
         (static_cast<double>(ground.picture_row(0)) - row) / static_cast<double>(ground.row_step());
-    came_to_[i] = std::min(
-        came_to_[i],
-        static_cast<StepColumns::Row>(std::floor(std::clamp(from_below, below_all, double{StepColumns::no_row}))));
+    const double number = std::floor(std::clamp(from_below, below_all, double{StepColumns::no_row}));
+    step.came_to = std::min(step.came_to, static_cast<StepColumns::Row>(number));
   }
 }
 
@@ -184,25 +182,21 @@ void LowObstacles::look_beside(const NearGround& ground, const Pixels& picture, 
 void LowObstacles::note(const NearGround& ground, const Pixels& picture, const Outlook& outlook) {
   const std::size_t columns = ground.columns();
   floor_ = stretched(std::move(floor_), columns);
-  if (step_row_.size() != columns) {
-    step_row_.assign(columns, StepColumns::no_row);
-    step_at_.assign(columns, Point());
-    came_to_.assign(columns, StepColumns::no_row);
-  }
+  if (steps_.size() != columns) steps_.assign(columns, Step{});
   shown_.assign(columns, 0);
   columns_.look_at(ground, floor_);
   for (std::size_t i = 0; i < columns; ++i) {
     if (!columns_.rises(i) || ground.is_near(i)) continue;
     const Millimetres lowest = columns_.lowest(i), of_two = columns_.lowest_of_two(i);
     shown_[i] = lowest == StepColumns::none ? floor_[i] : lowest;
-    came_to_[i] = StepColumns::no_row;
+    Step& step = steps_[i];
+    step.came_to = StepColumns::no_row;
     if (of_two == StepColumns::none) continue;
-    if (!is_kept(i)) step_row_[i] = StepColumns::no_row;
+    if (!is_kept(i)) step.row = StepColumns::no_row;
     floor_[i] = std::max(floor_[i], of_two);
     const StepColumns::Row row = columns_.first_above(i);
-    step_row_[i] = std::min(step_row_[i], row);
-    step_at_[i] =
-        placed(picture.at(ground.picture_row(static_cast<std::size_t>(row)), ground.picture_column(i)), outlook);
+    step.row = std::min(step.row, row);
+    step.at = placed(picture.at(ground.picture_row(static_cast<std::size_t>(row)), ground.picture_column(i)), outlook);
   }
 }
 
@@ -228,8 +222,8 @@ bool LowObstacles::hides_floor(std::size_t column) const {
 
 /// What two clouds show lowest.
 bool LowObstacles::is_as_low_as_step(std::size_t column) const {
-  const StepColumns::Row step = std::min(step_row_[column], came_to_[column]);
-  return step == StepColumns::no_row || columns_.lowest_row_of_two(column) <= step + same_row;
+  const StepColumns::Row row = std::min(steps_[column].row, steps_[column].came_to);
+  return row == StepColumns::no_row || columns_.lowest_row_of_two(column) <= row + same_row;
 }
 
 /// By what its column shows lowest.

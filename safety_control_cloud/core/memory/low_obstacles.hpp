@@ -58,8 +58,7 @@ class LowObstacles {
   /// As another process knew it, of a camera that was so high [m].
   void restore(std::vector<NearGround::Code> floor, float camera_height) {
     floor_ = std::move(floor), camera_height_ = camera_height;
-    step_row_.clear();
-    step_at_.clear();
+    steps_.clear();
   }
 
  private:
@@ -71,6 +70,13 @@ class LowObstacles {
     double lowest;                       ///< y/z at the lower border of the picture that showed it
     Millimetres floor;                   ///< before it
     std::optional<double> hidden_since;  ///< [s] steady: that; none: since the next picture
+  };
+
+  /// Of a column with a step that is kept, as far as that is known.
+  struct Step {
+    StepColumns::Row row = StepColumns::no_row;      ///< the lowest that has shown it
+    Point at;                                        ///< in the latest picture that did, in the corridor's axes [m]
+    StepColumns::Row came_to = StepColumns::no_row;  ///< as low as that it may be by now, and no picture since shows it
   };
 
   std::vector<Beside> all_steps() const;
@@ -92,15 +98,13 @@ class LowObstacles {
   std::vector<Beside> beside_;
   StepColumns columns_;  ///< of the latest picture
   // Of each column.
-  std::vector<Millimetres> floor_;          ///< before a step that is kept; 0 if there is none
-  std::vector<Millimetres> shown_;          ///< before a step that this cloud shows; 0 if it shows none
-  std::vector<StepColumns::Row> step_row_;  ///< the lowest that has shown a step that is kept, as far as that is known
-  std::vector<Point> step_at_;              ///< where that was in the latest that showed it, in the corridor's axes [m]
-  std::vector<StepColumns::Row> came_to_;   ///< as low as that it may be by now, which no picture since has shown
-  std::vector<double> hidden_since_;        ///< [s] steady: the floor before it
-  bool is_corridor_new_ = false;            ///< and no cloud has come since
-  std::optional<float> camera_height_;      ///< [m] as `floor_` is told; none: no picture has come
-  Millimetres off_ = 0;                     ///< by which the floor may lie lower than `floor_` tells
+  std::vector<Millimetres> floor_;  ///< before a step that is kept; 0 if there is none
+  std::vector<Millimetres> shown_;  ///< before a step that this cloud shows; 0 if it shows none
+  std::vector<Step> steps_;
+  std::vector<double> hidden_since_;    ///< [s] steady: the floor before it
+  bool is_corridor_new_ = false;        ///< and no cloud has come since
+  std::optional<float> camera_height_;  ///< [m] as `floor_` is told; none: no picture has come
+  Millimetres off_ = 0;                 ///< by which the floor may lie lower than `floor_` tells
 };
 
 }  // namespace safety_control_cloud
