@@ -88,15 +88,15 @@ TEST(Sensor, WhatIsSeenInARepeatedCloudIsSeenOnce) {
   Settings settings;
   settings.frozen_clouds = 100;
   Sensor sensor{settings};
-  auto is_lost = [&, now = 1.0](const Scene& scene) mutable {
-    now += 0.05;
+  auto is_lost = [&, now = 1.0](const Scene& scene, double after = 0.05) mutable {
+    now += after;
     sensor.see(scene.view(), Origin{now}, {now, now});
     return std::get<Seen>(sensor.answer()).loss.has_value();
   };
   for (const float z : {0.74f, 0.72f, 0.70f, 0.66f, 0.63f})
     EXPECT_TRUE(is_lost(Scene({{z, -0.2f, 0.2f, floor_y - 0.05f, floor_y}}))) << z;
   const Scene free;
-  for (int i = 0; i < 3; ++i) EXPECT_TRUE(is_lost(free)) << i;
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(is_lost(free, 0.01)) << i;  // in a longer while it might roll on
   EXPECT_FALSE(is_lost(Scene({{4.0f, -0.2f, 0.2f, -0.3f, floor_y}})));
 }
 
