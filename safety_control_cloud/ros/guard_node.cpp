@@ -35,11 +35,10 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
     : control_(settings),
       channels_(channels_of(settings, handle, private_handle)),
       commands_(handle, named_in(handle, "cmd_vel"), [this] { on_quiet(); }),
-      base_(settings.base_frame, [this](const std::string& line) { log_.warn(line); }),
+      base_(settings.base_frame, log_.warner()),
       reports_(private_handle, log_),
-      lost_things_(
-          private_handle, LostThings::of(control_, reports_), [this](const std::string& line) { log_.warn(line); },
-          [this] { return may_have_waited(now()); }),
+      lost_things_(private_handle, LostThings::of(control_, reports_), log_.warner(),
+                   [this] { return may_have_waited(now()); }),
       quiet_(*handle.getCallbackQueue(), [this] { on_quiet(); }),
       reconfigure_(
           private_handle, settings,
@@ -48,11 +47,10 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
             control_.adopt(changed);
           },
           log_),
-      diagnostics_(
-          handle, private_handle, [this](const std::string& line) { log_.warn(line); }, names_of(settings.sensors)) {
+      diagnostics_(handle, private_handle, log_.warner(), names_of(settings.sensors)) {
   on_quiet();
   odometry_.emplace(
-      handle, control_, [this] { beat(now()); }, [this](const std::string& line) { log_.warn(line); });
+      handle, control_, [this] { beat(now()); }, log_.warner());
   override_ = private_handle.advertiseService("override", &GuardNode::on_override, this);
   wanted_ = subscribe_to_wanted(
       handle, settings.command_type,
@@ -74,7 +72,7 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     channels_[i]->open(
         handle, private_handle, delivery, [this, i](const Arrival& arrival) { on_arrival(i, arrival); },
-        [this](const std::string& line) { log_.info(line); }, [this](const std::string& line) { log_.warn(line); });
+        log_.informer(), log_.warner());
   }
 }
 

@@ -19,20 +19,18 @@ SafetyNode::SafetyNode(ros::NodeHandle handle, ros::NodeHandle private_handle, D
       commands_(handle, named_in(handle, "cmd_vel_mux/input/teleop"), [this] { on_quiet(); }),
       output_(handle.advertise<sensor_msgs::PointCloud2>(named_in(handle, "output"), 1)),
       reports_(private_handle, log_),
-      lost_things_(
-          private_handle, LostThings::of(control_, reports_), [this](const std::string& line) { log_.warn(line); },
-          [this] { return may_have_waited(now()); }),
+      lost_things_(private_handle, LostThings::of(control_, reports_), log_.warner(),
+                   [this] { return may_have_waited(now()); }),
       quiet_(*handle.getCallbackQueue(), [this] { on_quiet(); }),
       reconfigure_(
           private_handle, settings, [this](const Settings& changed) { control_.adopt(changed); }, log_),
-      diagnostics_(handle, private_handle, [this](const std::string& line) { log_.warn(line); }) {
+      diagnostics_(handle, private_handle, log_.warner()) {
   const std::string& target_frame = control_.settings().target_frame;
-  if (!target_frame.empty())
-    camera_place_ = std::make_unique<CameraPlace>(target_frame, [this](const std::string& line) { log_.warn(line); });
+  if (!target_frame.empty()) camera_place_ = std::make_unique<CameraPlace>(target_frame, log_.warner());
   on_quiet();
   camera_.open(
-      handle, private_handle, delivery, [this](const Arrival& arrival) { on_arrival(arrival); },
-      [this](const std::string& line) { log_.info(line); }, [this](const std::string& line) { log_.warn(line); });
+      handle, private_handle, delivery, [this](const Arrival& arrival) { on_arrival(arrival); }, log_.informer(),
+      log_.warner());
 }
 
 SafetyNode::~SafetyNode() {

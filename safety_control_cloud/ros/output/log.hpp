@@ -5,6 +5,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -21,6 +22,14 @@ class Log {
   void info(std::string line) { add(ros::console::levels::Info, std::move(line)); }
   void warn(std::string line) { add(ros::console::levels::Warn, std::move(line)); }
   void error(std::string line) { add(ros::console::levels::Error, std::move(line)); }
+
+  /// For who is to say something without knowing where.
+  std::function<void(const std::string&)> informer() {
+    return [this](const std::string& line) { info(line); };
+  }
+  std::function<void(const std::string&)> warner() {
+    return [this](const std::string& line) { warn(line); };
+  }
 
  private:
   struct Line {
