@@ -91,11 +91,16 @@ void Keepsake::write() {
 void Keepsake::look_whether_it_is_still_there() {
   XmlRpcValue is_there;
   if (!written_ || !ask_master("hasParam", name_, is_there)) return;
-  const bool is_lost = is_there.getType() == XmlRpcValue::TypeBoolean && !is_there;
-  const auto there = is_lost ? std::nullopt : texts_on_server(name_);
-  if (!is_lost && (!there || there == written_)) return;
-  say_(is_lost ? "the ROS master has forgotten what was near, as one that was started anew does; it is told again"
-               : "somebody has changed " + name_ + ", which tells what was near; it is written again");
+  if (is_there.getType() == XmlRpcValue::TypeBoolean && !is_there)
+    return write_anew(
+        "the ROS master has forgotten what was near, as one that was started anew does; it is told again");
+  const auto there = texts_on_server(name_);
+  if (there && there != written_)
+    write_anew("somebody has changed " + name_ + ", which tells what was near; it is written again");
+}
+
+void Keepsake::write_anew(const std::string& why) {
+  say_(why);
   written_.reset();
 }
 

@@ -35,6 +35,7 @@ class Keepsake {
  private:
   void write();
   void look_whether_it_is_still_there();
+  void write_anew(const std::string& why);
 
   const std::string name_;
   const Say say_;
