@@ -49,10 +49,10 @@ class GuardControl {
   /// Somebody wants this; `stamp` [s, ROS]: of a command that has one.
   void want(const Command& wanted, const Instant& now, std::optional<double> stamp = std::nullopt);
 
-  /// The base says where it is.
   /// Nobody listened for so long [s] until now, nor told the base anything, or so that this knows of it.
   void note_deafness(double seconds, const Instant& now) { perception_.note_deafness(seconds, now, given_); }
 
+  /// The base says where it is.
   void note_odometry(double stamp, const Pose2& pose, const Twist2& twist) {
     perception_.odometry().note(stamp, pose, twist);
   }

@@ -3,12 +3,11 @@
 import signal
 import time
 
+import rospy
 from guarded import guarded_robot, odometry_at_rest, twist
 from robot import NODE, eventually
 from scenes import hall, post, wall
 from std_srvs.srv import Trigger
-
-import rospy
 
 from safety_control_cloud.processes import process
 

@@ -36,13 +36,13 @@ enum Ground : std::int16_t {
 /// Of each of the pixels; the greatest. And how far ahead of the camera each of them is, whatever it is [m].
 int find_ground(const PixelsOfRow& pixels, const Surrounding& around, std::int16_t* ground, float* ahead);
 
-/// Of which there is none; deeper than any near ground.
+/// A pixel shows none: deeper than any near ground. And a column shows it in no row.
 constexpr std::int16_t no_ground = std::numeric_limits<std::int16_t>::max();
 constexpr std::int16_t no_row = no_ground;
 
 /// Of each column, from the lowest row up.
 struct StepsSoFar {
-  std::int16_t* lowest;       ///< ground that two pixels beside each other show, one of them below or beside the other
+  std::int16_t* lowest;       ///< [mm] the lowest ground that two pixels show, side by side or one above the other
   std::int16_t* lowest_row;   ///< in which that is
   std::int16_t* above;        ///< pixels that show ground a step above that, or above what is kept
   std::int16_t* first_above;  ///< the lowest row with one of them
