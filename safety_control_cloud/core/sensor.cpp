@@ -143,12 +143,13 @@ Answer Sensor::look_at(const Reading& reading, const Outlook& outlook, const Ori
   auto frozen = frozen_.note(view, origin.stamp, settings_.frozen_clouds);
   repeats_ = frozen_.repeats();
   if (frozen) return *std::move(frozen);
-  if (!repeats_ || !judged_) judge(upright, sight, in_upright, now);
+  if (!repeats_ || !judged_) judge(upright, sight, in_upright, origin.stamp, now);
   return Seen{counted_, judged_->loss, judged_->is_cut_off};
 }
 
-void Sensor::judge(const View& view, const Sight& sight, const Outlook& outlook, double now) {
-  auto loss = near_loss_.judge(view, sight, outlook, now);
+void Sensor::judge(const View& view, const Sight& sight, const Outlook& outlook, double stamp, double now) {
+  const double since = gap_.note(stamp, now, settings_.source_timeout);
+  auto loss = near_loss_.judge(view, sight, outlook, now, since);
   const bool is_cut_off = near_loss_.cuts_off(sight, outlook);
   recalled_ = recalled_ && loss;
   if (recalled_) loss->reason += ", as before this start";

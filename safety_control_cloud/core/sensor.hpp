@@ -19,6 +19,7 @@
 #include "look/sight.hpp"
 #include "look/upright.hpp"
 #include "memory/near_loss.hpp"
+#include "memory/picture_gap.hpp"
 #include "settings.hpp"
 
 namespace safety_control_cloud {
@@ -105,7 +106,7 @@ class Sensor {
                    const Alongside* alongside);
   Answer look_at(const Reading& reading, const Outlook& outlook, const Origin& origin, double now, Crop crop,
                  const Alongside* alongside);
-  void judge(const View& view, const Sight& sight, const Outlook& outlook, double now);
+  void judge(const View& view, const Sight& sight, const Outlook& outlook, double stamp, double now);
 
   /// What of a reading is asked of the memory.
   struct Judged {
@@ -122,6 +123,7 @@ class Sensor {
   FrozenWatch frozen_;
   Upright upright_;
   View upright_view_;
+  PictureGap gap_;
   NearLoss near_loss_;
   bool recalled_ = false;               ///< what is lost was lost by another process
   std::optional<double> last_arrival_;  ///< [s] steady

@@ -12,7 +12,7 @@ namespace safety_control_cloud {
 inline std::optional<Loss> look_and_judge(const View& view, NearLoss& near_loss, const Placement* placement = nullptr) {
   const Outlook outlook({}, placement ? std::optional<Placement>(*placement) : std::nullopt);
   const Sight sight = look(view, outlook, Crop::Skip, near_loss.rows_for(view));
-  return near_loss.judge(view, sight, outlook, 0.0);
+  return near_loss.judge(view, sight, outlook, 0.0, 0.0);
 }
 
 }  // namespace safety_control_cloud

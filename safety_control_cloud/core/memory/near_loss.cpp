@@ -32,6 +32,11 @@ constexpr double least_step = 0.03, fastest_step = 0.4;
 constexpr double longest_step = 0.5;                                                      ///< [s]
 constexpr float step_after_pause = static_cast<float>(least_step + 0.25 * fastest_step);  ///< in more than 0.25 s
 
+/// [m] by which a thing may have come nearer in so many seconds; of a long while, no more than of `longest_step`.
+float step_in(double seconds) {
+  return static_cast<float>(least_step + std::clamp(seconds, 0.0, longest_step) * fastest_step);
+}
+
 constexpr const char* what_frees =
     "the camera sees what is behind it, or the near floor on which it stood, or after ~reset, when somebody has looked";
 
@@ -71,13 +76,14 @@ bool NearLoss::cuts_off(const Sight& sight, const Outlook& outlook) const {
   return is_cut_off_below_ || sight.nearest->distance() - outlook.camera().z < blind_range() + cut_off;
 }
 
-std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const Outlook& outlook, double now) {
+std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const Outlook& outlook, double now,
+                                    double since) {
   is_cut_off_below_ = false;
   if (limits_.distance <= 0.0) return std::nullopt;
   const Patience patience{now, limits_.timeout};
   move_with_camera(outlook);
-  auto loss =
-      is_picture(view) ? judge_organised(view, sight, outlook, patience) : judge_points(view, sight, outlook, patience);
+  auto loss = is_picture(view) ? judge_organised(view, sight, outlook, patience, step_in(since))
+                               : judge_points(view, sight, outlook, patience);
   write_down(loss && !is_in_sight(*loss), now);
   if (!loss || is_in_sight(*loss)) {
     lost_since_.reset();
@@ -152,11 +158,10 @@ Pixels NearLoss::framed(const View& view, const Outlook& outlook) {
 }
 
 std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sight, const Outlook& outlook,
-                                              const Patience& patience) {
+                                              const Patience& patience, float step) {
   Pixels picture = framed(view, outlook);
   picture.frame(margins_.note(picture));
   look_at_ground(picture, outlook);
-  const float step = step_since_picture(patience.now);
   remember({picture, outlook, sight.nearest_in_rows, watched_distance(), least_pixels}, 1, patience, step);
   const auto low = low_.judge(ground_, picture, outlook, patience, step > step_after_pause ? step : 0.0f);
   const auto thing = nearest_loss(things_.things(), outlook, kept());
@@ -213,14 +218,6 @@ void NearLoss::remember(const NearSearch& search, std::uint8_t clouds_of_floor, 
   const Gaze gaze{search.outlook, frame_.rays, nearer};
   things_.update(std::move(things), search.picture, floor, backdrop_, near_distance(), gaze);
   things_.forget_old(patience);
-}
-
-/// [m] by which a thing may have come nearer; of a long while, as before the first picture, no more than of
-/// `longest_step`.
-float NearLoss::step_since_picture(double now) {
-  const double since = looked_at_ ? std::clamp(now - *looked_at_, 0.0, longest_step) : longest_step;
-  looked_at_ = now;
-  return static_cast<float>(least_step + since * fastest_step);
 }
 
 void NearLoss::write_down(bool lost, double now) {

@@ -64,8 +64,9 @@ class NearLoss {
   /// it begins at the picture's lower border, as the top of a low box does once the camera looks over its front.
   bool cuts_off(const Sight& sight, const Outlook& outlook) const;
 
-  /// What of the near obstacles is lost in this cloud, which look() has just seen. `now` [s], steady.
-  std::optional<Loss> judge(const View& view, const Sight& sight, const Outlook& outlook, double now);
+  /// What of the near obstacles is lost in this cloud, which look() has just seen. `now` [s], steady; `since` [s] the
+  /// picture before: see PictureGap.
+  std::optional<Loss> judge(const View& view, const Sight& sight, const Outlook& outlook, double now, double since);
 
   /// A cloud that is blind shows too little to say what is free: what is near in it is remembered, nothing is forgiven,
   /// and what it does not show is none of it lost.
@@ -79,7 +80,7 @@ class NearLoss {
 
  private:
   std::optional<Loss> judge_organised(const View& view, const Sight& sight, const Outlook& outlook,
-                                      const Patience& patience);
+                                      const Patience& patience, float step);
   std::optional<Loss> judge_points(const View& view, const Sight& sight, const Outlook& outlook,
                                    const Patience& patience);
   void settle_in_axes();
@@ -102,7 +103,6 @@ class NearLoss {
   void remember(const NearSearch& search, std::uint8_t clouds_of_floor, const Patience& patience,
                 const std::optional<float>& nearer);
   bool move_to(const Frame& frame);
-  float step_since_picture(double now);
   void write_down(bool lost, double now);
   double blind_range() const;
   double kept_distance() const;
@@ -124,7 +124,6 @@ class NearLoss {
   Backdrop backdrop_;
   ThingsMemory things_;
   std::optional<double> lost_since_;  ///< [s] anything, without a break
-  std::optional<double> looked_at_;   ///< [s] the latest picture
   bool is_cut_off_below_ = false;     ///< what that shows, at its lower border
   bool are_axes_new_ = false;         ///< and no picture has come since
   Written written_;

@@ -17,7 +17,7 @@ namespace {
 std::optional<Loss> judged(NearLoss& memory, const Scene& scene, double now = 1.0) {
   const View view = scene.view();
   const Outlook outlook;
-  return memory.judge(view, look(view, outlook, Crop::Skip, memory.rows_for(view)), outlook, now);
+  return memory.judge(view, look(view, outlook, Crop::Skip, memory.rows_for(view)), outlook, now, 0.0);
 }
 
 const Board near_board = {0.45f, -0.2f, 0.2f, -0.2f, 0.05f}, blind_board = {0.35f, -0.2f, 0.2f, -0.2f, 0.05f};

@@ -18,15 +18,17 @@ class Robot {
   Decision sees(const std::vector<Board>& boards) { return sees(Scene(boards)); }
   Decision sees(const CloudView& cloud) {
     now_ += 0.05;
-    return control_.decide(cloud, Origin{now_, placing_}, Instant{now_, now_});
+    const double comes = now_ + late_;
+    return control_.decide(cloud, Origin{now_, placing_}, Instant{comes, comes});
   }
   void waits(double seconds) { now_ += seconds; }
+  void falls_behind(double seconds) { late_ += seconds; }  ///< what it sees comes later by so much from now on
   SafetyControl& control() { return control_; }
 
  private:
   SafetyControl control_;
   Placing placing_;
-  double now_ = 100.0;
+  double now_ = 100.0, late_ = 0.0;  ///< [s]
 };
 
 }  // namespace safety_control_cloud

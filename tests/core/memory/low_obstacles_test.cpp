@@ -81,6 +81,24 @@ TEST(LowObstacles, AKerbMayHaveLeftInAPauseOfTheCamera) {
   EXPECT_EQ(after_pause(0.0, left).speed, 0.2) << "from one cloud to the next it was taken away";
 }
 
+/// A replay that does not wait takes as long as its computer does.
+TEST(LowObstacles, ASlowReplayIsNoPauseOfTheCamera) {
+  const auto after_replay = [](double seconds) {
+    Settings settings;
+    settings.source_timeout = 10.0;
+    settings.stamp_tolerance = 0.0;
+    Robot robot(settings);
+    const auto replays = [&](float z) {
+      robot.falls_behind(seconds);
+      return robot.sees({kerb(z, 0.05f)});
+    };
+    for (const float z : {0.78f, 0.76f, 0.74f, 0.72f, 0.70f}) replays(z);
+    for (int i = 0; i < 9; ++i) replays(0.55f);
+    return replays(0.55f);
+  };
+  for (const double pace : {0.0, 0.3, 2.0}) EXPECT_EQ(after_replay(pace).speed, 0.2) << pace;
+}
+
 TEST(LowObstacles, RobotSlowsBeforeAKerbAboveABorderThatNeverReturns) {
   Robot robot;
   Scene scene({kerb(0.74f, 0.05f)});

@@ -149,7 +149,7 @@ TEST(Turned, WhatIsLostLiesWhereItDidHoweverTheCorridorTurns) {
       place.rows[0][i] = right, place.rows[1][i] = down, place.rows[2][i] = forward;
     }
     const Outlook outlook(Corridor(), place);
-    return memory.judge(scene.view(), look(scene.view(), outlook, Crop::Skip, Rows::Apart), outlook, now += 0.05);
+    return memory.judge(scene.view(), look(scene.view(), outlook, Crop::Skip, Rows::Apart), outlook, now += 0.05, 0.05);
   };
   const auto with_board = [](float z) {
     return Scene({{z, -0.05f, 0.05f, -0.2f, 0.05f}, {2.0f, -9.0f, 9.0f, -9.0f, 9.0f}});
