@@ -45,8 +45,10 @@ class NearGround {
   float distance() const { return distance_; }        ///< [m] ahead of the camera; what is nearer is near
   std::size_t picture_row(std::size_t i) const { return height_ - 1 - i * row_step_; }
   std::size_t picture_column(std::size_t i) const { return i * column_step_; }
+  /// The lowest that lies no higher than one of the picture.
+  std::size_t row_at(std::size_t picture_row) const { return quotient(height_ - 1 - picture_row, row_step_); }
   std::size_t column_at(std::size_t picture_column) const {
-    return std::min(columns_ - 1, picture_column / column_step_);
+    return std::min(columns_ - 1, quotient(picture_column, column_step_));
   }
   double middle_column() const { return middle_column_; }  ///< that looks straight ahead
   /// Whether something near, in the corridor, is seen in a column, anywhere in the picture.
@@ -55,6 +57,11 @@ class NearGround {
 
  private:
   enum class Columns { All, Probes };
+
+  /// Of what counts rows or columns: of 64 bits it would take many processors twice as long or thrice.
+  static std::size_t quotient(std::size_t some, std::size_t by) {
+    return static_cast<std::uint32_t>(some) / static_cast<std::uint32_t>(by);
+  }
 
   bool read_row(const Pixels& picture, const Outlook& outlook, float distance, std::size_t number, Columns which);
 

@@ -27,19 +27,22 @@ using Code = NearGround::Code;
 enum class Stand { Hangs, Stands, Unseen };
 
 /// What a picture shows in the column in which a thing has its foot, in the rows that are read, from the lowest up.
+/// Which pixels return is as good as random: what is asked of each is asked without a branch.
 class ColumnBelow {
  public:
-  ColumnBelow(const Foot& foot, const NearGround& ground, const Pixels& picture, const Outlook& outlook)
+  /// `most_blank`: so many rows that follow one another may return nothing between a thing and the floor.
+  ColumnBelow(const Foot& foot, std::size_t column, std::size_t most_blank, const NearGround& ground,
+              const Pixels& picture, const Outlook& outlook)
       : foot_(foot),
         ground_(ground),
         picture_(picture),
         outlook_(outlook),
-        column_(ground.column_at(foot.column)),
-        most_blank_(std::max<std::size_t>(1, picture.height() / ground.row_step() / blank_share)),
+        column_(column),
+        most_blank_(most_blank),
         noise_(noise_at(foot.ahead)) {}
 
   Stand stand() const {
-    std::size_t lowest = (picture_.height() - 1 - foot_.row) / ground_.row_step();
+    std::size_t lowest = ground_.row_at(foot_.row);
     const auto surface = surface_below(lowest);
     auto other = surface ? std::optional<Seen>(seen_in(*surface)) : std::nullopt;
     if (!other || is_near(*other)) {
@@ -106,9 +109,9 @@ class ColumnBelow {
     std::size_t others = 0;
     for (std::size_t i = lowest; i-- > 0 && lowest - i <= most_blank_ + 1 && others < no_strays;) {
       const Seen seen = seen_in(i);
-      const bool same = is_of_thing(seen);
-      others = same || seen.code == NearGround::nothing ? 0 : others + 1;
-      if (same) lowest = i;
+      const bool same = is_of_thing(seen), is_other = !same & (seen.code != NearGround::nothing);
+      others = (others + 1) * is_other;
+      lowest = same ? i : lowest;
     }
     return lowest;
   }
@@ -135,25 +138,23 @@ class ColumnBelow {
   const float noise_;  ///< [m]
 };
 
-/// How a thing with its foot here stands on the floor. One that ends with the picture does, though it be so thin that
-/// the column which is read shows the floor beside it.
-Stand stand_of(const Foot& foot, const NearGround& ground, const Pixels& picture, const Outlook& outlook) {
-  const std::size_t height = picture.height();
-  if (foot.row + 2 * ground.row_step() + height / blank_share >= height) return Stand::Stands;
-  return ColumnBelow(foot, ground, picture, outlook).stand();
-}
-
 }  // namespace
 
 void place_on_ground(std::vector<Thing>& things, NearGround& ground, const Pixels& picture, const Outlook& outlook) {
   const std::size_t columns = ground.columns(), edge = std::max<std::size_t>(1, columns / edge_share);
+  const std::size_t height = picture.height();
+  const std::size_t most_blank = std::max<std::size_t>(1, height / ground.row_step() / blank_share);
+  // What ends with the picture stands, though it be so thin that the column which is read shows the floor beside it.
+  const std::size_t at_the_end = 2 * ground.row_step() + height / blank_share;
   for (Thing& thing : things) {
     std::vector<char> stands(columns, false), unseen(columns, false);
     std::size_t standing = 0, hanging = 0;
     for (const Foot& foot : thing.feet) {
       const std::size_t column = ground.column_at(foot.column);
       if (foot.ahead < ground.distance()) ground.note_near(column);
-      const Stand stand = stand_of(foot, ground, picture, outlook);
+      const Stand stand = foot.row + at_the_end >= height
+                              ? Stand::Stands
+                              : ColumnBelow(foot, column, most_blank, ground, picture, outlook).stand();
       standing += stand == Stand::Stands;
       hanging += stand == Stand::Hangs;
       for (std::size_t i = column - std::min(edge, column); i <= std::min(column + edge, columns - 1); ++i) {
