@@ -15,6 +15,7 @@ namespace {
 constexpr double full_turn = 6.283185307179586;
 constexpr double least_step = 1e-6;  ///< [rad] finer than any; a number that is hardly one is none
 constexpr double off_by = 1.5;       ///< increments: drivers disagree on whether angle_max is the last beam or the next
+constexpr double rounding = 1e-5;    ///< [rad] a whole turn is more than itself as a float32, and as 6.28319
 constexpr double longest_turn = 10.0;  ///< [s]
 constexpr std::size_t most = 1000000;  ///< beams
 constexpr float beyond = 1e4f;         ///< [m] farther than anything matters
@@ -28,12 +29,12 @@ void require(bool holds, const std::string& sentence) {
 void check(const Scan& scan) {
   require(scan.size >= 1 && scan.size <= most, words("a scan of ", scan.size, " ranges"));
   const double step = scan.angle_increment, span = step * static_cast<double>(scan.size - 1);
-  require(std::abs(scan.angle_min) <= full_turn && std::abs(scan.angle_max) <= full_turn,
+  require(std::abs(scan.angle_min) <= full_turn + rounding && std::abs(scan.angle_max) <= full_turn + rounding,
           words("angles from ", scan.angle_min, " to ", scan.angle_max, " rad"));
   require(std::abs(step) <= full_turn && (std::abs(step) >= least_step || scan.size == 1) &&
               std::abs(span) <= full_turn + off_by * std::abs(step),
           words(scan.size, " ranges, ", step, " rad apart"));
-  require(std::abs(scan.angle_min + span - scan.angle_max) <= off_by * std::abs(step) + 1e-6,
+  require(std::abs(scan.angle_min + span - scan.angle_max) <= off_by * std::abs(step) + rounding,
           words(scan.size, " ranges, ", step, " rad apart, do not lead from ", scan.angle_min, " to ", scan.angle_max,
                 " rad"));
   require(scan.range_min >= 0.0 && scan.range_max > scan.range_min,

@@ -88,6 +88,20 @@ TEST(Scan, TheLastBeamMayBeAngleMaxOrTheOneBefore) {
   }
 }
 
+/// As a float32 a whole turn is more than itself, and in files it is 6.28319.
+TEST(Scan, AWholeTurnMayBeginAndEndAnywhere) {
+  const double turn_as_float = 6.2831854820251465;
+  for (const auto& [first, last] : {std::pair(0.0, turn_as_float), std::pair(0.0, 6.28319), std::pair(-6.28319, 0.0),
+                                    std::pair(-turn_as_float, 0.0), std::pair(turn_as_float, 0.0)}) {
+    Turn turn(std::vector<float>(360, 1.0f));
+    turn.scan.angle_min = first, turn.scan.angle_max = last;
+    for (const double beams : {359.0, 360.0}) {
+      turn.scan.angle_increment = (last - first) / beams;
+      EXPECT_NO_THROW(ScanPoints().of(turn.scan)) << first << " to " << last << ", " << beams;
+    }
+  }
+}
+
 TEST(Scan, EveryContradictionIsRefused) {
   const double bad_numbers[] = {std::nan(""), static_cast<double>(inf), -static_cast<double>(inf)};
   std::vector<std::function<void(Scan&)>> harms = {
