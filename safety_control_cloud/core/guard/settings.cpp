@@ -59,6 +59,7 @@ void check(const GuardSettings& guard, Problems& problems) {
   problems.require(guard.command_timeout > 0.0, "command_timeout must be positive");
   problems.require(guard.min_speed >= 0.0, "min_speed must not be negative");
   problems.require(guard.max_speed > 0.0, "max_speed must be positive");
+  problems.require(guard.min_speed <= guard.max_speed, "min_speed must not be above max_speed: what is less becomes 0");
   problems.require(guard.max_turn > 0.0, "max_turn must be positive");
   problems.require(guard.escape_speed >= 0.0, "escape_speed must not be negative");
   problems.require(guard.unseen_speed >= 0.0, "unseen_speed must not be negative");

@@ -61,6 +61,7 @@ TEST(GuardSettings, EveryContradictionIsNamed) {
       {"min_speed must", [](Settings& s) { s.min_speed = -0.1; }},
       {"escape_speed must", [](Settings& s) { s.escape_speed = -0.1; }},
       {"unseen_speed must", [](Settings& s) { s.unseen_speed = -0.1; }},
+      {"min_speed must not be above", [](Settings& s) { s.min_speed = s.max_speed + 0.1; }},
       {"escape_speed must be 0 or", [](Settings& s) { s.min_speed = 0.11, s.unseen_speed = 0.2; }},
       {"unseen_speed must be 0 or", [](Settings& s) { s.min_speed = 0.11, s.escape_speed = 0.2; }},
       {"override_speed must be at least", [](Settings& s) { s.min_speed = 0.05, s.override_speed = 0.04; }},
