@@ -56,6 +56,7 @@ void GuardSensor::adopt(const Settings& settings, const Guard& guard) {
   law_ = law_of(own_);
   sensor_.adopt(sensor_settings(own_, facing_));
   around_ = surroundings_of(own_, guard);
+  bearings_ = {};
   lost_.forget_explanation();
   collected_ = Collected::Nothing;  // what was, was collected within other limits
 }
@@ -115,7 +116,7 @@ void GuardSensor::face(const Reading& reading, const Placing& placing) {
   if (!placement || lost_.is_ahead()) return;
   const Outlook outlook({}, *placement);
   const auto* scan = std::get_if<ScanView>(&reading);
-  const Eye eye = scan ? eye_of(outlook, *scan) : eye_of(outlook, FieldOfView{});
+  const Eye eye = scan ? eye_of(outlook, *scan, {}) : eye_of(outlook, FieldOfView{});
   const Point2 ahead = eye.half_angle >= half_turn ? Point2{1.0, 0.0} : eye.direction;
   if (length_of(ahead) == 0.0) return;  // straight up or down
   const double heading = std::atan2(ahead.y, ahead.x);
@@ -130,13 +131,15 @@ Look GuardSensor::take(const Reading& reading, const Origin& origin, const Outlo
   around_.finish();
   collected_ = Collected::Now;
   ++looks_;
-  taken_.emplace(reading, view, outlook, Heights{own_.frame_corridor.bottom, own_.frame_corridor.top});
+  if (const auto* scan = std::get_if<ScanView>(&reading)) bearings_.note(*scan, outlook, own_boxes_of(own_));
+  const Heights heights{own_.frame_corridor.bottom, own_.frame_corridor.top};
+  taken_.emplace(reading, view, outlook, heights, bearings_);
   taken_->arrival = now;
   taken_->time_to_arrive = now.ros - taken_at(origin, now);
   taken_->from = given.reckoned_at(now.steady - taken_->time_to_arrive);
   const double measures_from = taken_->is_scan ? std::max(least_of_scan, taken_->range_min + beyond_range_min)
                                                : own_.near_loss.blind_range + least_beyond;
-  return {reading, view, outlook, taken_->stamp(), measures_from, taken_->may_last(), looks_};
+  return {reading, view, outlook, taken_->stamp(), measures_from, taken_->may_last(), looks_, &bearings_};
 }
 
 double GuardSensor::taken_at(const Origin& origin, const Instant& now) const {

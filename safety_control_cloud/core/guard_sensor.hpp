@@ -111,6 +111,7 @@ class GuardSensor {
   double facing_ = 0.0;  ///< [rad] from base_frame's x axis: where the corridor leads that it looks down
   Sensor sensor_;
   Surroundings around_;
+  Bearings bearings_;  ///< of a range finder
   std::optional<LatestLook> taken_;
   Collected collected_ = Collected::Nothing;
   LostFromSight lost_;

@@ -16,10 +16,11 @@ FieldOfView field_in(const View& view) {
 
 }  // namespace
 
-LatestLook::LatestLook(const Reading& reading, const View& view, const Outlook& from_there, const Heights& heights)
+LatestLook::LatestLook(const Reading& reading, const View& view, const Outlook& from_there, const Heights& heights,
+                       const Bearings& bearings)
     : is_scan(std::holds_alternative<ScanView>(reading)), outlook(from_there) {
   if (const auto* scan = std::get_if<ScanView>(&reading)) {
-    eye = eye_of(outlook, *scan);
+    eye = eye_of(outlook, *scan, bearings);
     horizon = Horizon(outlook, *scan, heights);
     range_min = scan->range_min;
     lasts = scan->lasts;

@@ -24,8 +24,9 @@ struct LatestLook {
   double time_to_arrive = 0.0;  ///< [s] since its stamp, as far as that is believed
   Given::Reckoned from{};       ///< where the robot was then
 
-  /// Of an upright view, in the band of these heights.
-  LatestLook(const Reading& reading, const View& view, const Outlook& outlook, const Heights& heights);
+  /// Of an upright view, in the band of these heights; of a range finder that has ever measured at these `bearings`.
+  LatestLook(const Reading& reading, const View& view, const Outlook& outlook, const Heights& heights,
+             const Bearings& bearings);
 
   /// [s, ROS] When it was taken, as far as its stamp is believed.
   double stamp() const { return arrival.ros - time_to_arrive; }

@@ -17,14 +17,14 @@ const Outlook from_xtion{{}, std::get<Placement>(xtion())};
 LatestLook of_camera() {
   static const Scene wall({post(2.0f, 0.0f, 9.0f)});
   static const View view = wall.view();
-  return {Reading{wall.view()}, view, from_xtion, heights};
+  return {Reading{wall.view()}, view, from_xtion, heights, {}};
 }
 
 /// It turns once a second, and measures from 0.2 m on.
 LatestLook of_laser(double lasts = 1.0) {
   ScanView scan{};
   scan.first = -3.1, scan.last = 3.1, scan.range_min = 0.2, scan.range_max = 9.0, scan.lasts = lasts;
-  return {Reading{scan}, View{scan.points}, from_xtion, heights};
+  return {Reading{scan}, View{scan.points}, from_xtion, heights, {}};
 }
 
 TEST(LatestLook, IsAsOldAsTheClockThatSaysMore) {

@@ -61,20 +61,26 @@ Obstacles those_of(const Obstacles& all, Is is) {
 
 }  // namespace
 
-bool Eye::sees(const Point2& point) const {
-  const Point2 there = point - place;
-  return std::abs(std::atan2(cross(direction, there), dot(direction, there))) <= half_angle;
+bool Eye::looks_along(const Point2& there) const {
+  const auto off = [&](const Point2& from) { return std::abs(std::atan2(cross(from, there), dot(from, there))); };
+  const auto is_in = [&](const Blind& one) { return off(one.direction) <= one.half_angle; };
+  return off(direction) <= half_angle && std::none_of(blind.begin(), blind.end(), is_in);
 }
 
 Eye eye_of(const Outlook& outlook, const FieldOfView& field) {
   return towards(outlook, {0.0f, 0.0f, 1.0f}, std::atan(std::max(0.0, std::min(-field.left, field.right))));
 }
 
-Eye eye_of(const Outlook& outlook, const ScanView& scan) {
+Eye eye_of(const Outlook& outlook, const ScanView& scan, const Bearings& bearings) {
+  const auto along = [](double bearing) {
+    return Point{static_cast<float>(std::cos(bearing)), static_cast<float>(std::sin(bearing)), 0.0f};
+  };
   const bool all_around = scan.last - scan.first > 2.0 * pi - seam;
-  const double middle = all_around ? 0.0 : 0.5 * (scan.first + scan.last);
-  const Point ahead{static_cast<float>(std::cos(middle)), static_cast<float>(std::sin(middle)), 0.0f};
-  return towards(outlook, ahead, all_around ? pi : 0.5 * (scan.last - scan.first));
+  Eye eye = towards(outlook, along(all_around ? 0.0 : 0.5 * (scan.first + scan.last)),
+                    all_around ? pi : 0.5 * (scan.last - scan.first));
+  for (const Bearings::Gap& gap : bearings.gaps())
+    eye.blind.push_back({towards(outlook, along(gap.middle), 0.0).direction, gap.half_angle});
+  return eye;
 }
 
 bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2& twist) {
@@ -90,7 +96,7 @@ bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2&
 bool leads_to_where_it_looks(const Outline& outline, const Eye& eye, const Twist2& twist) {
   if (speed_of(twist) == 0.0)
     return !any_new_place(outline, twist, [&](const Point2& place) { return !eye.sees(place); });
-  return length_of(eye.direction) > 0.0 && std::abs(bearing_of(eye, twist)) <= eye.half_angle;
+  return length_of(eye.direction) > 0.0 && eye.looks_along(linear(twist));
 }
 
 bool leads_away_from(const Eye& eye, const Twist2& twist) {

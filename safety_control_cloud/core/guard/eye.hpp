@@ -2,28 +2,39 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "../input/scan.hpp"
 #include "../look/field_of_view.hpp"
 #include "../path/obstacles.hpp"
 #include "../path/outline.hpp"
+#include "bearings.hpp"
 
 namespace safety_control_cloud {
 
 /// Where a sensor looks, from above, in base_frame.
 struct Eye {
+  /// Where it does not look, between its sides.
+  struct Blind {
+    Point2 direction;   ///< of length 1, to its middle
+    double half_angle;  ///< [rad]
+  };
+
   Point2 place;
   Point2 direction;         ///< of length 1; none (0, 0) if it looks straight up or down
   double half_angle = 0.0;  ///< [rad] to each side, the lesser
 
-  bool sees(const Point2& point) const;
+  std::vector<Blind> blind = {};
+
+  bool sees(const Point2& point) const { return looks_along(point - place); }
+  bool looks_along(const Point2& direction) const;
 };
 
 /// Of a camera that is placed in base_frame.
 Eye eye_of(const Outlook& outlook, const FieldOfView& field);
 
-/// Of a range finder.
-Eye eye_of(const Outlook& outlook, const ScanView& scan);
+/// Of a range finder, which has ever measured at these bearings.
+Eye eye_of(const Outlook& outlook, const ScanView& scan, const Bearings& bearings);
 
 /// Whether the footprint comes by a twist to where it is not now and all of that lies outside what the eye sees, at any
 /// distance; or all of the robot moves away from where it looks.

@@ -7,6 +7,7 @@
 #include "../input/reading.hpp"
 #include "../look/outlook.hpp"
 #include "../path/obstacles.hpp"
+#include "bearings.hpp"
 #include "pose.hpp"
 
 namespace safety_control_cloud {
@@ -16,10 +17,11 @@ struct Look {
   const Reading& reading;
   View view;
   Outlook outlook;
-  double stamp;            ///< [s] ROS time, of when it was taken
-  double measures_from;    ///< [m] from here on, what is there returns
-  double lasts = 0.0;      ///< [s] from its stamp on in which its returns may have been taken
-  std::size_t number = 0;  ///< of the sensor's looks
+  double stamp;                        ///< [s] ROS time, of when it was taken
+  double measures_from;                ///< [m] from here on, what is there returns
+  double lasts = 0.0;                  ///< [s] from its stamp on in which its returns may have been taken
+  std::size_t number = 0;              ///< of the sensor's looks
+  const Bearings* bearings = nullptr;  ///< at which a range finder has ever measured, if that is known
 };
 
 /// Which returns are near.

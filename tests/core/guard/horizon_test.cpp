@@ -82,7 +82,7 @@ struct TimeToHorizon : testing::Test {
   Sighted with_range(double range, double first = -pi, double last = pi) const {
     const Outlook outlook = outlook_at(laser_at(0.2));
     const ScanView scan = scan_of(range, first, last);
-    return {eye_of(outlook, scan), Horizon(outlook, scan, heights)};
+    return {eye_of(outlook, scan, {}), Horizon(outlook, scan, heights)};
   }
 };
 

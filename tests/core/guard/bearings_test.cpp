@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../../safety_control_cloud/core/guard/bearings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "robot_with_sensors.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+
+/// [rad] in the sensor's frame.
+double rad(double degrees) { return degrees * pi / 180.0; }
+
+/// A whole turn from the back on, a beam a degree.
+struct Laser {
+  std::vector<float> ranges = std::vector<float>(360, 5.0f);
+  std::vector<OwnBox> self = {};
+  bool descends = false;
+  Bearings bearings;
+
+  /// From one bearing to another [degrees].
+  void shows(int from, int to, float range) {
+    for (int i = from; i < to; ++i) ranges[static_cast<std::size_t>(descends ? 180 - i : i + 180) % 360] = range;
+  }
+  void looks() {
+    Scan scan;
+    scan.angle_min = descends ? pi : -pi, scan.angle_increment = (descends ? -1.0 : 1.0) * rad(1.0);
+    scan.angle_max = scan.angle_min + 359.0 * scan.angle_increment;
+    scan.range_min = 0.1, scan.range_max = 10.0, scan.ranges = ranges.data(), scan.size = ranges.size();
+    ScanPoints points;
+    bearings.note(points.of(scan), Outlook({}, std::get<Placement>(laser_at(0.2))), self);
+  }
+};
+
+TEST(Bearings, WhatHasNeverMeasuredIsBlindWhateverStandsInItsPlace) {
+  for (const float blank : {nan, 0.0f, 0.05f, 10.5f}) {
+    for (const bool descends : {false, true}) {
+      Laser laser;
+      laser.descends = descends;
+      laser.shows(20, 50, blank);
+      laser.looks();
+      for (const double inside : {22.0, 35.0, 48.0}) EXPECT_TRUE(laser.bearings.is_blind_at(rad(inside))) << blank;
+      for (const double outside : {-35.0, 18.0, 52.0, 180.0, -180.0, 325.0, 720.0})
+        EXPECT_FALSE(laser.bearings.is_blind_at(rad(outside))) << outside << ", " << blank;
+      ASSERT_EQ(laser.bearings.gaps().size(), 1u);
+      EXPECT_NEAR(laser.bearings.gaps()[0].middle, rad(34.5), rad(1.0));
+      EXPECT_NEAR(laser.bearings.gaps()[0].half_angle, rad(15.0), rad(1.0));
+    }
+  }
+}
+
+TEST(Bearings, AnInfinityHasSeenThatNothingIsThereAndTooCloseIsAMeasurementToo) {
+  for (const float measured : {inf, -inf, 0.1f, 10.0f}) {
+    Laser laser;
+    laser.shows(20, 50, measured);
+    laser.looks();
+    EXPECT_TRUE(laser.bearings.gaps().empty()) << measured;
+  }
+}
+
+TEST(Bearings, OneMeasurementEver) {
+  Laser laser;
+  laser.shows(20, 50, nan);
+  laser.looks();
+  laser.shows(20, 50, 3.0f);
+  laser.looks();
+  laser.shows(20, 50, nan);
+  laser.looks();
+  EXPECT_TRUE(laser.bearings.gaps().empty());
+}
+
+TEST(Bearings, ANarrowGapIsNone) {
+  Laser laser;
+  laser.shows(20, 30, nan);
+  laser.shows(60, 70, nan);
+  laser.looks();
+  EXPECT_TRUE(laser.bearings.gaps().empty());
+}
+
+TEST(Bearings, AGapGoesOnOverTheSeam) {
+  Laser laser;
+  laser.shows(100, 180, nan);
+  laser.shows(-180, -100, nan);
+  laser.looks();
+  for (const double inside : {102.0, 180.0, -180.0, -102.0, 250.0})
+    EXPECT_TRUE(laser.bearings.is_blind_at(rad(inside))) << inside;
+  ASSERT_EQ(laser.bearings.gaps().size(), 1u);
+  EXPECT_NEAR(laser.bearings.gaps()[0].middle, pi, rad(1.0));
+}
+
+TEST(Bearings, ALaserDoesNotLookThroughTheRobotItself) {
+  Laser laser;
+  laser.self = {{-0.16, -0.1, -0.05, 0.05, 0.0, 1.0}};
+  laser.shows(156, 180, 0.12f);
+  laser.shows(-180, -156, 0.12f);
+  laser.looks();
+  EXPECT_TRUE(laser.bearings.is_blind_at(pi));
+  laser.self.clear();
+  laser.looks();
+  EXPECT_FALSE(laser.bearings.is_blind_at(pi)) << "something else";
+}
+
+TEST(Bearings, BeamsThatLieFarApartLeaveNoGap) {
+  Bearings bearings;
+  const std::vector<float> ranges(12, 2.0f);
+  Scan scan;
+  scan.angle_min = -pi, scan.angle_increment = rad(30.0), scan.angle_max = -pi + 11.0 * scan.angle_increment;
+  scan.range_min = 0.1, scan.range_max = 10.0, scan.ranges = ranges.data(), scan.size = ranges.size();
+  ScanPoints points;
+  bearings.note(points.of(scan), Outlook({}, std::get<Placement>(laser_at(0.2))), {});
+  EXPECT_TRUE(bearings.gaps().empty());
+}
+
+TEST(Bearings, WhoShowsNothingAtAllIsNoLook) {
+  Laser laser;
+  laser.shows(-180, 180, nan);
+  laser.looks();
+  EXPECT_FALSE(laser.bearings.is_blind_at(0.0));
+}
+
+}  // namespace
+}  // namespace safety_control_cloud
