@@ -48,7 +48,8 @@ GuardSensor::GuardSensor(const SensorSettings& sensor, const Settings& settings,
       straight_(sensor_settings(own_)),
       law_(law_of(own_)),
       sensor_(straight_),
-      around_(surroundings_of(own_, guard)) {}
+      around_(surroundings_of(own_, guard)),
+      bearings_(own_boxes_of(own_)) {}
 
 void GuardSensor::adopt(const Settings& settings, const Guard& guard) {
   own_ = own_settings(settings, about_);
@@ -56,7 +57,7 @@ void GuardSensor::adopt(const Settings& settings, const Guard& guard) {
   law_ = law_of(own_);
   sensor_.adopt(sensor_settings(own_, facing_));
   around_ = surroundings_of(own_, guard);
-  bearings_ = {};
+  bearings_ = Bearings(own_boxes_of(own_));
   lost_.forget_explanation();
   collected_ = Collected::Nothing;  // what was, was collected within other limits
 }
@@ -131,7 +132,7 @@ Look GuardSensor::take(const Reading& reading, const Origin& origin, const Outlo
   around_.finish();
   collected_ = Collected::Now;
   ++looks_;
-  if (const auto* scan = std::get_if<ScanView>(&reading)) bearings_.note(*scan, outlook, own_boxes_of(own_));
+  if (const auto* scan = std::get_if<ScanView>(&reading)) bearings_.note(*scan, outlook);
   const Heights heights{own_.frame_corridor.bottom, own_.frame_corridor.top};
   taken_.emplace(reading, view, outlook, heights, bearings_);
   taken_->arrival = now;

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 namespace safety_control_cloud {
 namespace {
 
-constexpr double full_turn = 6.283185307179586;  ///< [rad]
 /// [rad] A narrower gap is that of a leg, or by chance: at a metre no robot fits into it.
 constexpr double least_gap = 0.25;
 constexpr float too_close = -std::numeric_limits<float>::infinity();
@@ -40,55 +40,40 @@ std::size_t Bearings::bin_of(double bearing) {
   return std::min(bins - 1, static_cast<std::size_t>(part * static_cast<double>(bins)));
 }
 
-void Bearings::note(const ScanView& scan, const Outlook& outlook, const std::vector<OwnBox>& self) {
+void Bearings::note(const ScanView& scan, const Outlook& outlook) {
   const std::size_t size = scan.points.width;
   const double step = size > 1 ? (scan.last - scan.first) / static_cast<double>(size - 1) : 0.0;
-  constexpr double bin = full_turn / static_cast<double>(bins);
   bool any_new = false;
   for (std::size_t i = 0; i < size; ++i) {
     const double bearing =
         scan.descending ? scan.last - step * static_cast<double>(i) : scan.first + step * static_cast<double>(i);
-    if (measured_[bin_of(bearing)] || !measures(beam_at(scan, i), outlook, self)) continue;
+    if (measured_[bin_of(bearing)] || !measures(beam_at(scan, i), outlook, self_)) continue;
     any_new = true;  // as far as half way to its neighbours
     for (double beside = 0.0; beside <= 0.5 * step; beside += bin)
       measured_[bin_of(bearing - beside)] = measured_[bin_of(bearing + beside)] = true;
     measured_[bin_of(bearing - 0.5 * step)] = measured_[bin_of(bearing + 0.5 * step)] = true;
   }
-  if (any_new) find_blind();
+  if (any_new) find_gaps();
 }
 
-void Bearings::find_blind() {
-  constexpr auto least = static_cast<std::size_t>(least_gap / full_turn * static_cast<double>(bins)) + 1;
-  blind_.fill(false);
-  const auto first = std::find(measured_.begin(), measured_.end(), true);
-  if (first == measured_.end()) return;  // a scan that shows nothing is no look
-  const auto begin = static_cast<std::size_t>(first - measured_.begin());
-  std::size_t gap = 0;
+bool Bearings::is_blind_at(double bearing) const {
+  return std::any_of(gaps_.begin(), gaps_.end(), [=](const Gap& gap) {
+    return std::abs(std::remainder(bearing - gap.middle, full_turn)) < gap.half_angle;
+  });
+}
+
+void Bearings::find_gaps() {
+  gaps_.clear();
+  const auto begin = static_cast<std::size_t>(std::find(measured_.begin(), measured_.end(), true) - measured_.begin());
+  std::size_t missing = 0;
   for (std::size_t i = 1; i <= bins; ++i) {
     if (!measured_[(begin + i) % bins]) {
-      ++gap;
+      ++missing;
       continue;
     }
-    for (std::size_t beside = 1; gap >= least && beside <= gap; ++beside) blind_[(begin + i - beside) % bins] = true;
-    gap = 0;
+    const double width = bin * static_cast<double>(std::exchange(missing, 0));
+    if (width >= least_gap) gaps_.push_back({bin * static_cast<double>(begin + i) - 0.5 * width, 0.5 * width});
   }
-}
-
-std::vector<Bearings::Gap> Bearings::gaps() const {
-  constexpr double bin = full_turn / static_cast<double>(bins);
-  std::vector<Gap> gaps;
-  const auto begin = static_cast<std::size_t>(std::find(blind_.begin(), blind_.end(), false) - blind_.begin());
-  std::size_t gap = 0;
-  for (std::size_t i = 1; i <= bins && begin < bins; ++i) {
-    if (blind_[(begin + i) % bins]) {
-      ++gap;
-    } else if (gap > 0) {
-      const double width = bin * static_cast<double>(gap);
-      gaps.push_back({std::fmod(bin * static_cast<double>(begin + i) - 0.5 * width, full_turn), 0.5 * width});
-      gap = 0;
-    }
-  }
-  return gaps;
 }
 
 }  // namespace safety_control_cloud

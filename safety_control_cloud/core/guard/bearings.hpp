@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "../input/scan.hpp"
@@ -16,25 +17,31 @@ namespace safety_control_cloud {
 /// is not what it shows.
 class Bearings {
  public:
-  /// Another of its scans. What returns from the robot itself is none, nor what lies behind that.
-  void note(const ScanView& scan, const Outlook& outlook, const std::vector<OwnBox>& self);
+  /// What returns from the robot itself is no measurement, nor is what lies behind that.
+  explicit Bearings(std::vector<OwnBox> self) : self_(std::move(self)) {}
+  Bearings() = default;
 
-  /// Whether it has never measured anything there, nor around that, at a bearing [rad] in its own frame.
-  bool is_blind_at(double bearing) const { return blind_[bin_of(bearing)]; }
+  /// Another of its scans.
+  void note(const ScanView& scan, const Outlook& outlook);
 
-  /// [rad] in its own frame, in [0, 2 pi).
+  /// Where it has never measured anything, over so much that it matters [rad] in its own frame.
   struct Gap {
     double middle, half_angle;
   };
-  std::vector<Gap> gaps() const;
+  const std::vector<Gap>& gaps() const { return gaps_; }
+
+  /// Whether a bearing [rad], in its own frame, lies in one of them.
+  bool is_blind_at(double bearing) const;
 
  private:
   static constexpr std::size_t bins = 720;
+  static constexpr double full_turn = 6.283185307179586, bin = full_turn / static_cast<double>(bins);  ///< [rad]
   static std::size_t bin_of(double bearing);
-  void find_blind();
+  void find_gaps();
 
+  std::vector<OwnBox> self_;
   std::array<bool, bins> measured_{};
-  std::array<bool, bins> blind_{};  ///< of a gap that is wide enough to matter
+  std::vector<Gap> gaps_;
 };
 
 }  // namespace safety_control_cloud

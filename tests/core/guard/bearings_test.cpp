@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -21,7 +20,6 @@ double rad(double degrees) { return degrees * pi / 180.0; }
 /// A whole turn from the back on, a beam a degree.
 struct Laser {
   std::vector<float> ranges = std::vector<float>(360, 5.0f);
-  std::vector<OwnBox> self = {};
   bool descends = false;
   Bearings bearings;
 
@@ -35,7 +33,7 @@ struct Laser {
     scan.angle_max = scan.angle_min + 359.0 * scan.angle_increment;
     scan.range_min = 0.1, scan.range_max = 10.0, scan.ranges = ranges.data(), scan.size = ranges.size();
     ScanPoints points;
-    bearings.note(points.of(scan), Outlook({}, std::get<Placement>(laser_at(0.2))), self);
+    bearings.note(points.of(scan), Outlook({}, std::get<Placement>(laser_at(0.2))));
   }
 };
 
@@ -97,12 +95,12 @@ TEST(Bearings, AGapGoesOnOverTheSeam) {
 
 TEST(Bearings, ALaserDoesNotLookThroughTheRobotItself) {
   Laser laser;
-  laser.self = {{-0.16, -0.1, -0.05, 0.05, 0.0, 1.0}};
+  laser.bearings = Bearings({{-0.16, -0.1, -0.05, 0.05, 0.0, 1.0}});
   laser.shows(156, 180, 0.12f);
   laser.shows(-180, -156, 0.12f);
   laser.looks();
   EXPECT_TRUE(laser.bearings.is_blind_at(pi));
-  laser.self.clear();
+  laser.bearings = Bearings();
   laser.looks();
   EXPECT_FALSE(laser.bearings.is_blind_at(pi)) << "something else";
 }
@@ -114,7 +112,7 @@ TEST(Bearings, BeamsThatLieFarApartLeaveNoGap) {
   scan.angle_min = -pi, scan.angle_increment = rad(30.0), scan.angle_max = -pi + 11.0 * scan.angle_increment;
   scan.range_min = 0.1, scan.range_max = 10.0, scan.ranges = ranges.data(), scan.size = ranges.size();
   ScanPoints points;
-  bearings.note(points.of(scan), Outlook({}, std::get<Placement>(laser_at(0.2))), {});
+  bearings.note(points.of(scan), Outlook({}, std::get<Placement>(laser_at(0.2))));
   EXPECT_TRUE(bearings.gaps().empty());
 }
 

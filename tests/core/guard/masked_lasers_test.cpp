@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the guard does not know by a laser whose message names angles at which nobody measures.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "robot_with_sensors.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+/// What a filter puts in place of beams that it takes away.
+constexpr float blanks[] = {std::numeric_limits<float>::quiet_NaN(), 0.0f, 11.0f};
+
+/// A laser alone, of a whole turn but for what a filter takes away beyond 100 degrees to each side.
+RobotWithSensors with_masked_laser(float blank, double unseen_speed) {
+  Settings settings = guard_settings();
+  settings.unseen_speed = unseen_speed;
+  settings.sensors = {{"laser", InputKind::Scan, "scan", true, {}}};
+  RobotWithSensors robot(settings);
+  for (std::size_t degrees = 0; degrees < 360; ++degrees)
+    if (degrees < 80 || degrees > 280) robot.ranges[degrees] = blank;
+  return robot;
+}
+
+TEST(MaskedLasers, WhereALaserHasNeverMeasuredItDoesNotLook) {
+  constexpr double unseen_speed = 0.1;
+  for (const float blank : blanks) {
+    RobotWithSensors robot = with_masked_laser(blank, unseen_speed);
+    const auto drives = [&](const Twist2& twist) {
+      for (int i = 0; i < 10; ++i) {
+        robot.pass(0.05);
+        robot.see_scan(0);
+        robot.wants(twist);
+      }
+      return robot.wants(twist);
+    };
+    const Guarded behind = drives({-0.4, 0.0, 0.0});
+    EXPECT_NEAR(behind.given.linear[0], -unseen_speed, 1e-6) << blank << ": " << behind.reason;
+    EXPECT_EQ(drives({0.4, 0.0, 0.0}).factor, 1.0) << blank << ": it looks there";
+    EXPECT_EQ(drives({0.0, 0.0, 0.5}).factor, 1.0) << blank;
+    std::fill(robot.ranges.begin(), robot.ranges.end(), 5.0f);
+    EXPECT_EQ(drives({-0.4, 0.0, 0.0}).factor, 1.0) << blank << ": by now it has";
+  }
+}
+
+TEST(MaskedLasers, WhatIsRememberedIsNotSeenToGoWhereALaserHasNeverMeasured) {
+  for (const float blank : blanks) {
+    RobotWithSensors robot = with_masked_laser(blank, 0.7);
+    const std::vector<float> free = robot.ranges;
+    Pose2 pose;
+    const auto turns = [&](int looks, double turning) {
+      for (int i = 0; i < looks; ++i) {
+        robot.pass(0.05);
+        pose.heading += 0.05 * turning;
+        robot.ranges = free;
+        const auto middle = static_cast<int>(std::lround(180.0 - pose.heading * 180.0 / pi));
+        for (int degrees = middle - 10; degrees <= middle + 10; ++degrees)
+          if (degrees >= 80 && degrees <= 280) robot.ranges[static_cast<std::size_t>(degrees)] = 0.8f;
+        robot.control.note_odometry(robot.now.ros, pose, {0.0, 0.0, turning});
+        robot.see_scan(0);
+        robot.wants({0.0, 0.0, turning});
+      }
+    };
+    turns(20, 0.0);
+    turns(20, pi);  // in which it leaves what the laser shows
+    turns(60, 0.0);
+    const Guarded& answer = robot.wants({-0.6, 0.0, 0.0});
+    EXPECT_LT(answer.factor, 0.9) << blank << ": " << answer.reason;
+    ASSERT_TRUE(answer.point) << answer.reason;
+    EXPECT_NEAR(answer.point->x, -0.8, 0.1) << answer.reason;
+  }
+}
+
+}  // namespace
+}  // namespace safety_control_cloud
