@@ -49,7 +49,7 @@ GuardSensor::GuardSensor(const SensorSettings& sensor, const Settings& settings,
       law_(law_of(own_)),
       sensor_(straight_),
       around_(surroundings_of(own_, guard)),
-      bearings_(own_boxes_of(own_)) {}
+      bearings_(own_boxes_of(own_), own_.zero_is_inf) {}
 
 void GuardSensor::adopt(const Settings& settings, const Guard& guard) {
   own_ = own_settings(settings, about_);
@@ -57,7 +57,7 @@ void GuardSensor::adopt(const Settings& settings, const Guard& guard) {
   law_ = law_of(own_);
   sensor_.adopt(sensor_settings(own_, facing_));
   around_ = surroundings_of(own_, guard);
-  bearings_ = Bearings(own_boxes_of(own_));
+  bearings_ = Bearings(own_boxes_of(own_), own_.zero_is_inf);
   lost_.forget_explanation();
   collected_ = Collected::Nothing;  // what was, was collected within other limits
 }
@@ -132,7 +132,7 @@ Look GuardSensor::take(const Reading& reading, const Origin& origin, const Outlo
   around_.finish();
   collected_ = Collected::Now;
   ++looks_;
-  if (const auto* scan = std::get_if<ScanView>(&reading)) bearings_.note(*scan, outlook);
+  if (const auto* scan = std::get_if<ScanView>(&reading)) bearings_.note(*scan, outlook, now.steady);
   const Heights heights{own_.frame_corridor.bottom, own_.frame_corridor.top};
   taken_.emplace(reading, view, outlook, heights, bearings_);
   taken_->arrival = now;

@@ -24,7 +24,7 @@ struct LatestLook {
   double time_to_arrive = 0.0;  ///< [s] since its stamp, as far as that is believed
   Given::Reckoned from{};       ///< where the robot was then
 
-  /// Of an upright view, in the band of these heights; of a range finder that has ever measured at these `bearings`.
+  /// Of an upright view, in the band of these heights; of a range finder that has measured at these `bearings` lately.
   LatestLook(const Reading& reading, const View& view, const Outlook& outlook, const Heights& heights,
              const Bearings& bearings);
 

@@ -12,11 +12,13 @@ namespace {
 
 /// [rad] A narrower gap is that of a leg, or by chance: at a metre no robot fits into it.
 constexpr double least_gap = 0.25;
+/// [s] Less than it takes for what no longer returns to be gone: dirt that comes on the way takes nothing with it.
+constexpr double lately = 1.0;
 constexpr float too_close = -std::numeric_limits<float>::infinity();
 
 struct Beam {
   float x, y, z;
-  float z_if_inf_is_free;
+  float z_if_inf_is_free, z_if_zero_is_too;
 };
 
 Beam beam_at(const ScanView& scan, std::size_t i) {
@@ -25,35 +27,34 @@ Beam beam_at(const ScanView& scan, std::size_t i) {
   return beam;
 }
 
-/// By what each beam is, and whether it shows the robot itself.
-bool measures(const Beam& beam, const Outlook& outlook, const std::vector<OwnBox>& self) {
-  if (beam.z == too_close) return true;
-  if (std::isnan(beam.z)) return !std::isnan(beam.z_if_inf_is_free);
-  const Point there = outlook.placed(beam.x, beam.y, beam.z);
-  return !is_own(self, there.z, -there.x, -there.y);
-}
-
 }  // namespace
+
+/// By what the beam is, and whether it shows the robot itself.
+bool Bearings::measures(const ScanView& scan, std::size_t beam, const Outlook& outlook) const {
+  const Beam seen = beam_at(scan, beam);
+  if (seen.z == too_close) return true;
+  if (std::isnan(seen.z)) return !std::isnan(zero_is_inf_ ? seen.z_if_zero_is_too : seen.z_if_inf_is_free);
+  const Point there = outlook.placed(seen.x, seen.y, seen.z);
+  return !is_own(self_, there.z, -there.x, -there.y);
+}
 
 std::size_t Bearings::bin_of(double bearing) {
   const double turns = bearing / full_turn, part = turns - std::floor(turns);
   return std::min(bins - 1, static_cast<std::size_t>(part * static_cast<double>(bins)));
 }
 
-void Bearings::note(const ScanView& scan, const Outlook& outlook) {
+void Bearings::note(const ScanView& scan, const Outlook& outlook, double now) {
   const std::size_t size = scan.points.width;
   const double step = size > 1 ? (scan.last - scan.first) / static_cast<double>(size - 1) : 0.0;
-  bool any_new = false;
   for (std::size_t i = 0; i < size; ++i) {
     const double bearing =
         scan.descending ? scan.last - step * static_cast<double>(i) : scan.first + step * static_cast<double>(i);
-    if (measured_[bin_of(bearing)] || !measures(beam_at(scan, i), outlook, self_)) continue;
-    any_new = true;  // as far as half way to its neighbours
-    for (double beside = 0.0; beside <= 0.5 * step; beside += bin)
-      measured_[bin_of(bearing - beside)] = measured_[bin_of(bearing + beside)] = true;
-    measured_[bin_of(bearing - 0.5 * step)] = measured_[bin_of(bearing + 0.5 * step)] = true;
+    if (!measures(scan, i, outlook)) continue;
+    for (double beside = 0.0; beside <= 0.5 * step; beside += bin)  // as far as half way to its neighbours
+      measured_[bin_of(bearing - beside)] = measured_[bin_of(bearing + beside)] = now;
+    measured_[bin_of(bearing - 0.5 * step)] = measured_[bin_of(bearing + 0.5 * step)] = now;
   }
-  if (any_new) find_gaps();
+  find_gaps(now);
 }
 
 bool Bearings::is_blind_at(double bearing) const {
@@ -62,12 +63,14 @@ bool Bearings::is_blind_at(double bearing) const {
   });
 }
 
-void Bearings::find_gaps() {
+void Bearings::find_gaps(double now) {
   gaps_.clear();
-  const auto begin = static_cast<std::size_t>(std::find(measured_.begin(), measured_.end(), true) - measured_.begin());
+  const auto is_seen = [=](double measured) { return now - measured < lately; };
+  const auto first = std::find_if(measured_.begin(), measured_.end(), is_seen);
+  const auto begin = static_cast<std::size_t>(first - measured_.begin());
   std::size_t missing = 0;
   for (std::size_t i = 1; i <= bins; ++i) {
-    if (!measured_[(begin + i) % bins]) {
+    if (!is_seen(measured_[(begin + i) % bins])) {
       ++missing;
       continue;
     }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -12,19 +13,23 @@
 
 namespace safety_control_cloud {
 
-/// Where a range finder has ever measured anything, be it that nothing is there (+Inf, REP 117). A filter may take
-/// beams away and leave the angles as they are, and behind a part of the robot itself nobody looks: what a scan names
-/// is not what it shows.
+/// Where a range finder has measured anything lately, be it that nothing is there (+Inf, REP 117). A filter may take
+/// beams away and leave the angles as they are, dirt may hide a part of the window, and behind a part of the robot
+/// itself nobody looks: what a scan names is not what it shows.
 class Bearings {
  public:
-  /// What returns from the robot itself is no measurement, nor is what lies behind that.
-  explicit Bearings(std::vector<OwnBox> self) : self_(std::move(self)) {}
-  Bearings() = default;
+  /// What returns from the robot itself is no measurement, nor is what lies behind that. 0 is one, if it says what +Inf
+  /// says.
+  explicit Bearings(std::vector<OwnBox> self, bool zero_is_inf = false)
+      : self_(std::move(self)), zero_is_inf_(zero_is_inf) {
+    measured_.fill(never);
+  }
+  Bearings() : Bearings(std::vector<OwnBox>()) {}
 
-  /// Another of its scans.
-  void note(const ScanView& scan, const Outlook& outlook);
+  /// Another of its scans, which comes now [s].
+  void note(const ScanView& scan, const Outlook& outlook, double now);
 
-  /// Where it has never measured anything, over so much that it matters [rad] in its own frame.
+  /// Where it has measured nothing lately, over so much that it matters [rad] in its own frame.
   struct Gap {
     double middle, half_angle;
   };
@@ -36,11 +41,14 @@ class Bearings {
  private:
   static constexpr std::size_t bins = 720;
   static constexpr double full_turn = 6.283185307179586, bin = full_turn / static_cast<double>(bins);  ///< [rad]
+  static constexpr double never = -std::numeric_limits<double>::infinity();
   static std::size_t bin_of(double bearing);
-  void find_gaps();
+  bool measures(const ScanView& scan, std::size_t beam, const Outlook& outlook) const;
+  void find_gaps(double now);
 
   std::vector<OwnBox> self_;
-  std::array<bool, bins> measured_{};
+  bool zero_is_inf_;
+  std::array<double, bins> measured_;  ///< when for the last time [s]
   std::vector<Gap> gaps_;
 };
 

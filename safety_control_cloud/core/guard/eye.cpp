@@ -13,13 +13,15 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr int times = 8;
-constexpr double way_ahead = 1.0;       ///< [s] of a twist: its direction counts, not how far it leads
-constexpr double beside_view = 0.7854;  ///< [rad] beyond which a way leads out of the picture
-constexpr double soon = 0.5;            ///< [s] of a twist, in which it leads to what is beside
-constexpr double nearer = 0.01;         ///< [m] and by so much
-constexpr double seam = 0.1;            ///< [rad] between the last beam of a whole turn and the first
-constexpr double straight = 0.1;        ///< [rad/m] a driver's hand is not steadier
-constexpr double least_away = 0.7071;   ///< cosine: half a right angle to each side
+constexpr double way_ahead = 1.0;         ///< [s] of a twist: its direction counts, not how far it leads
+constexpr double beside_view = 0.7854;    ///< [rad] beyond which a way leads out of the picture
+constexpr double far_ahead = 1.5;         ///< [m] from where on what a gap hides is as wide as a robot
+constexpr double farthest_turn = 1.5708;  ///< [rad] after that a twist leads elsewhere
+constexpr double soon = 0.5;              ///< [s] of a twist, in which it leads to what is beside
+constexpr double nearer = 0.01;           ///< [m] and by so much
+constexpr double seam = 0.1;              ///< [rad] between the last beam of a whole turn and the first
+constexpr double straight = 0.1;          ///< [rad/m] a driver's hand is not steadier
+constexpr double least_away = 0.7071;     ///< cosine: half a right angle to each side
 
 /// `ahead`: the axis in the sensor's own frame.
 Eye towards(const Outlook& outlook, const Point& ahead, double half_angle) {
@@ -45,6 +47,21 @@ bool any_new_place(const Outline& outline, const Twist2& twist, Is is) {
   const NewGround ground(outline);
   for (int i = 1; i <= times; ++i)
     if (ground.any(way_of(twist, way_ahead * i / times), is)) return true;
+  return false;
+}
+
+/// Whether from somewhere on its way all that the footprint comes to lies in a gap: beside that, it is seen as far as
+/// it is new at once, but not what it drives into.
+bool leads_into_a_gap(const Outline& outline, const Eye& eye, const Twist2& twist) {
+  const double speed = speed_of(twist);
+  if (eye.blind.empty() || speed == 0.0) return false;
+  const NewGround ground(outline);
+  const double time = std::min(std::max(way_ahead, far_ahead / speed), farthest_turn / std::abs(twist.w));
+  for (int i = 1; i <= times; ++i) {
+    const Pose2 way = way_of(twist, time * i / times);
+    const bool is_any_new = ground.any(way, [](const Point2&) { return true; });
+    if (is_any_new && !ground.any(way, [&](const Point2& place) { return eye.sees(place); })) return true;
+  }
   return false;
 }
 
@@ -90,7 +107,7 @@ bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2&
     is_any_new = true;
     return !away && eye.sees(place);
   });
-  return is_any_new && !shows;
+  return (is_any_new && !shows) || leads_into_a_gap(outline, eye, twist);
 }
 
 bool leads_to_where_it_looks(const Outline& outline, const Eye& eye, const Twist2& twist) {

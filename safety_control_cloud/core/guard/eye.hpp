@@ -33,11 +33,11 @@ struct Eye {
 /// Of a camera that is placed in base_frame.
 Eye eye_of(const Outlook& outlook, const FieldOfView& field);
 
-/// Of a range finder, which has ever measured at these bearings.
+/// Of a range finder, which has measured at these bearings lately.
 Eye eye_of(const Outlook& outlook, const ScanView& scan, const Bearings& bearings);
 
 /// Whether the footprint comes by a twist to where it is not now and all of that lies outside what the eye sees, at any
-/// distance; or all of the robot moves away from where it looks.
+/// distance; or all of the robot moves away from where it looks, or into a gap between its sides.
 bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2& twist);
 
 /// Whether a twist leads ahead into what the eye sees, and not past it; of a turn in place, whether all that it leads

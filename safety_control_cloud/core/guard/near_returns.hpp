@@ -21,7 +21,7 @@ struct Look {
   double measures_from;                ///< [m] from here on, what is there returns
   double lasts = 0.0;                  ///< [s] from its stamp on in which its returns may have been taken
   std::size_t number = 0;              ///< of the sensor's looks
-  const Bearings* bearings = nullptr;  ///< at which a range finder has ever measured, if that is known
+  const Bearings* bearings = nullptr;  ///< at which a range finder has measured lately, if that is known
 };
 
 /// Which returns are near.

@@ -13,7 +13,7 @@ namespace {
 const std::set<std::string> of_all = {"source_timeout", "stamp_tolerance", "min_valid_ratio", "min_returns",
                                       "frozen_clouds",  "sensor_period",   "min_points",      "noise"};
 const std::set<std::string> of_cameras = {"range_min", "near_loss_distance", "near_loss_timeout", "blind_range"};
-const std::set<std::string> of_scans = {"inf_is_free"};
+const std::set<std::string> of_scans = {"inf_is_free", "zero_is_inf"};
 const std::set<std::string> counts = {"min_returns", "frozen_clouds", "min_points"};
 
 /// As a part of a ROS name.

@@ -20,10 +20,12 @@ struct Scan {
 };
 
 /// A scan as points of its own frame. By REP 117: a range within the limits is a return, -Inf is too close to measure,
-/// NaN and what lies outside of the limits are no measurements, and +Inf met nothing within range_max.
+/// NaN and what lies outside of the limits are no measurements, and +Inf met nothing within range_max. 0 is too close
+/// where range_min is 0.
 struct ScanView {
   CloudView points;                ///< of one row, a point a beam; +Inf is nothing measured
   std::size_t z_if_inf_is_free;    ///< [byte] in a point: z where +Inf has seen, far away, that nothing is there
+  std::size_t z_if_zero_is_too;    ///< [byte] the same where 0 says what +Inf says
   double first = 0.0, last = 0.0;  ///< [rad] bearings, first <= last
   bool descending = false;         ///< the first point is that of the last bearing
   double range_min = 0.0;          ///< [m] nearer than which nothing is measured
@@ -38,7 +40,7 @@ class ScanPoints {
   ScanView of(const Scan& scan);
 
  private:
-  std::vector<std::array<float, 4>> points_;  ///< x, y, z, z_if_inf_is_free
+  std::vector<std::array<float, 5>> points_;  ///< x, y, z, z_if_inf_is_free, z_if_zero_is_too
 };
 
 }  // namespace safety_control_cloud

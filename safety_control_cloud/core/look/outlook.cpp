@@ -23,7 +23,7 @@ View view_in(const Reading& reading, const LookSettings& look) {
   View view = view_in(reading);
   if (auto* image = std::get_if<DepthView>(&view)) image->minus_inf = look.depth_minus_inf;
   if (const auto* scan = std::get_if<ScanView>(&reading); scan && look.inf_is_free)
-    std::get<CloudView>(view).offset[2] = scan->z_if_inf_is_free;
+    std::get<CloudView>(view).offset[2] = look.zero_is_inf ? scan->z_if_zero_is_too : scan->z_if_inf_is_free;
   return view;
 }
 

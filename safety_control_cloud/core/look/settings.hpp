@@ -38,6 +38,7 @@ struct LookSettings {
   FrameCorridor frame_corridor;
   MinusInf depth_minus_inf = MinusInf::TooClose;  ///< what -Inf in a depth image says; in a cloud it is too close
   bool inf_is_free = false;                       ///< +Inf in a scan has seen that nothing is there, up to range_max
+  bool zero_is_inf = false;                       ///< 0 in a scan says what +Inf says
   Method method = Method::OnePass;
 };
 
@@ -57,6 +58,7 @@ void for_each_look_parameter(LookSettingsOrConst& look, Visit& visit) {
   visit("min_points", look.corridor.min_points);
   visit("depth_minus_inf", look.depth_minus_inf);
   visit("inf_is_free", look.inf_is_free);
+  visit("zero_is_inf", look.zero_is_inf);
   visit("method", look.method);
 }
 

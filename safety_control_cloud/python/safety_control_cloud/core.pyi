@@ -113,6 +113,7 @@ class Settings:
     publish_rate: float
     depth_minus_inf: str
     inf_is_free: bool
+    zero_is_inf: bool
     method: str
     input: str
     def __init__(self, **parameters: Union[float, int, str]) -> None: ...

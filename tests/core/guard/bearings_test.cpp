@@ -27,13 +27,13 @@ struct Laser {
   void shows(int from, int to, float range) {
     for (int i = from; i < to; ++i) ranges[static_cast<std::size_t>(descends ? 180 - i : i + 180) % 360] = range;
   }
-  void looks() {
+  void looks(double at = 0.0) {
     Scan scan;
     scan.angle_min = descends ? pi : -pi, scan.angle_increment = (descends ? -1.0 : 1.0) * rad(1.0);
     scan.angle_max = scan.angle_min + 359.0 * scan.angle_increment;
     scan.range_min = 0.1, scan.range_max = 10.0, scan.ranges = ranges.data(), scan.size = ranges.size();
     ScanPoints points;
-    bearings.note(points.of(scan), Outlook({}, std::get<Placement>(laser_at(0.2))));
+    bearings.note(points.of(scan), Outlook({}, std::get<Placement>(laser_at(0.2))), at);
   }
 };
 
@@ -63,15 +63,39 @@ TEST(Bearings, AnInfinityHasSeenThatNothingIsThereAndTooCloseIsAMeasurementToo) 
   }
 }
 
-TEST(Bearings, OneMeasurementEver) {
+TEST(Bearings, WhatMeasuredIsBlindASecondAfterItLastDid) {
   Laser laser;
   laser.shows(20, 50, nan);
-  laser.looks();
+  laser.looks(0.0);
+  EXPECT_TRUE(laser.bearings.is_blind_at(rad(35.0))) << "never";
   laser.shows(20, 50, 3.0f);
-  laser.looks();
+  laser.looks(0.1);
   laser.shows(20, 50, nan);
-  laser.looks();
-  EXPECT_TRUE(laser.bearings.gaps().empty());
+  for (const double now : {0.2, 0.6, 1.05}) {
+    laser.looks(now);
+    EXPECT_TRUE(laser.bearings.gaps().empty()) << now;
+  }
+  laser.looks(1.15);
+  EXPECT_TRUE(laser.bearings.is_blind_at(rad(35.0)));
+  EXPECT_FALSE(laser.bearings.is_blind_at(rad(55.0)));
+  laser.shows(30, 31, 3.0f);
+  laser.looks(1.2);
+  EXPECT_FALSE(laser.bearings.is_blind_at(rad(25.0))) << "what is left before it is narrow";
+  EXPECT_TRUE(laser.bearings.is_blind_at(rad(40.0)));
+}
+
+TEST(Bearings, ZeroIsAMeasurementWhereItSaysWhatInfinitySays) {
+  for (const bool zero_is_inf : {false, true}) {
+    Laser laser;
+    laser.bearings = Bearings({}, zero_is_inf);
+    laser.shows(20, 50, 0.0f);
+    laser.shows(90, 120, nan);
+    laser.shows(-50, -20, inf);
+    laser.looks();
+    EXPECT_EQ(laser.bearings.is_blind_at(rad(35.0)), !zero_is_inf);
+    EXPECT_TRUE(laser.bearings.is_blind_at(rad(105.0)));
+    EXPECT_FALSE(laser.bearings.is_blind_at(rad(-35.0)));
+  }
 }
 
 TEST(Bearings, ANarrowGapIsNone) {
@@ -112,7 +136,7 @@ TEST(Bearings, BeamsThatLieFarApartLeaveNoGap) {
   scan.angle_min = -pi, scan.angle_increment = rad(30.0), scan.angle_max = -pi + 11.0 * scan.angle_increment;
   scan.range_min = 0.1, scan.range_max = 10.0, scan.ranges = ranges.data(), scan.size = ranges.size();
   ScanPoints points;
-  bearings.note(points.of(scan), Outlook({}, std::get<Placement>(laser_at(0.2))));
+  bearings.note(points.of(scan), Outlook({}, std::get<Placement>(laser_at(0.2))), 0.0);
   EXPECT_TRUE(bearings.gaps().empty());
 }
 

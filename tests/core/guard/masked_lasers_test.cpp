@@ -46,6 +46,56 @@ TEST(MaskedLasers, WhereALaserHasNeverMeasuredItDoesNotLook) {
   }
 }
 
+TEST(MaskedLasers, WhereItNoLongerMeasuresItNoLongerLooks) {
+  constexpr double unseen_speed = 0.1;
+  for (const float blank : blanks) {
+    for (const bool zero_is_inf : {false, true}) {
+      Settings settings = guard_settings();
+      settings.unseen_speed = unseen_speed;
+      settings.sensors = {{"laser", InputKind::Scan, "scan", true, {{"zero_is_inf", zero_is_inf ? 1.0 : 0.0}}}};
+      RobotWithSensors robot(settings);
+      const auto looks = [&](int times) {
+        for (int i = 0; i < times; ++i) {
+          robot.pass(0.05);
+          robot.see_scan(0);
+          robot.wants({});
+        }
+        return robot.wants({0.4, 0.0, 0.0});
+      };
+      EXPECT_EQ(looks(20).factor, 1.0);
+      std::fill(robot.ranges.begin() + 120, robot.ranges.begin() + 240, blank);
+      const Guarded answer = looks(40);
+      const bool says_free = zero_is_inf && blank == 0.0f;
+      EXPECT_NEAR(answer.given.linear[0], says_free ? 0.4 : unseen_speed, 1e-6) << blank << ": " << answer.reason;
+      std::fill(robot.ranges.begin() + 120, robot.ranges.begin() + 240, 5.0f);
+      EXPECT_EQ(looks(2).factor, 1.0) << blank << ": it looks again";
+    }
+  }
+}
+
+TEST(MaskedLasers, WhatItShowedStaysWhereItNoLongerMeasures) {
+  for (const float blank : blanks) {
+    Settings settings = guard_settings();
+    settings.unseen_speed = 0.7;
+    settings.sensors = {{"laser", InputKind::Scan, "scan", true, {}}};
+    RobotWithSensors robot(settings);
+    const auto looks = [&](int times) {
+      for (int i = 0; i < times; ++i) {
+        robot.pass(0.05);
+        robot.control.note_odometry(robot.now.ros, {}, {});
+        robot.see_scan(0);
+        robot.wants({});
+      }
+      return robot.wants({0.6, 0.0, 0.0});
+    };
+    std::fill(robot.ranges.begin() + 165, robot.ranges.begin() + 195, 0.7f);
+    const double before = looks(20).factor;
+    EXPECT_LT(before, 0.9);
+    std::fill(robot.ranges.begin() + 165, robot.ranges.begin() + 195, blank);
+    EXPECT_LE(looks(80).factor, before + 0.05) << blank;
+  }
+}
+
 TEST(MaskedLasers, WhatIsRememberedIsNotSeenToGoWhereALaserHasNeverMeasured) {
   for (const float blank : blanks) {
     RobotWithSensors robot = with_masked_laser(blank, 0.7);

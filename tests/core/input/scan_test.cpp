@@ -80,6 +80,32 @@ TEST(Scan, RangesMeanWhatREP117Says) {
   EXPECT_EQ(seen[1].z, -inf);
 }
 
+TEST(Scan, ZeroMaySayWhatInfinitySays) {
+  for (const double range_min : {0.1, 0.0}) {
+    Turn turn({0.0f, 1.0f, inf, nan, -inf});
+    turn.scan.range_min = range_min;
+    ScanPoints scans;
+    const ScanView view = scans.of(turn.scan);
+    const auto z_at = [&](std::size_t offset, std::size_t i) {
+      CloudView as = view.points;
+      as.offset[2] = offset;
+      return points_in(as)[i].z;
+    };
+    const std::size_t as_it_is = view.points.offset[2];
+    for (const std::size_t offset : {as_it_is, view.z_if_inf_is_free}) {
+      const float z = z_at(offset, 0);
+      EXPECT_TRUE(range_min > 0.0 ? std::isnan(z) : z == -inf) << z;
+    }
+    EXPECT_EQ(z_at(view.z_if_zero_is_too, 0), 0.0f);
+    const Point there = points_in(view.points)[0];
+    EXPECT_GT(std::hypot(there.x, there.y), 1e3f) << "far away";
+    EXPECT_EQ(z_at(view.z_if_zero_is_too, 1), 0.0f);
+    EXPECT_EQ(z_at(view.z_if_zero_is_too, 2), 0.0f);
+    EXPECT_TRUE(std::isnan(z_at(view.z_if_zero_is_too, 3)));
+    EXPECT_EQ(z_at(view.z_if_zero_is_too, 4), -inf);
+  }
+}
+
 TEST(Scan, TheLastBeamMayBeAngleMaxOrTheOneBefore) {
   for (const double steps : {0.0, 1.0, -1.0}) {
     Turn turn(std::vector<float>(100, 1.0f));
