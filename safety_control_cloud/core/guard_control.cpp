@@ -47,11 +47,15 @@ double GuardControl::answer_period() const {
   return std::max(least_answer_period, std::min(1.0 / settings_.publish_rate, perception_.least_period()));
 }
 
+/// A stop counts, however late it comes; what was said before it does not end it.
 void GuardControl::want(const Command& wanted, const Instant& now, std::optional<double> stamp) {
+  const bool stop_holds = stopped_at_ && now.steady - wanted_at_ <= settings_.command_timeout;
+  if (stop_holds && stamp && *stamp < *stopped_at_) return;
   const StampLimits limits{settings_.command_max_age, settings_.stamp_tolerance};
   unwanted_ = stamp ? refusal_of_stamp(*stamp, now.ros, limits) : std::nullopt;
   wanted_ = wanted;
   wanted_at_ = now.steady;
+  stopped_at_ = !unwanted_ && stands(in_plane(wanted)) ? stamp : std::nullopt;
 }
 
 OverrideReply GuardControl::ask_override(const OverrideWish& wish, const Instant& now) {

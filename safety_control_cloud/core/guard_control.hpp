@@ -121,6 +121,7 @@ class GuardControl {
   Given given_;
   std::optional<Command> wanted_;
   double wanted_at_ = 0.0;               ///< [s, steady]
+  std::optional<double> stopped_at_;     ///< [s] by the stamp of what is wanted, if that is to stand
   std::optional<std::string> unwanted_;  ///< why what is wanted is not obeyed, by its stamp
   SightOverride override_;
   Guarded last_;

@@ -70,6 +70,23 @@ TEST(Stamped, AnOldCommandEndsTheOneBefore) {
   EXPECT_EQ(robot.control.answer(robot.now).cause, Cause::NoCommand);
 }
 
+TEST(Stamped, WhatWasSaidBeforeAStopDoesNotEndIt) {
+  StampedRobot robot;
+  const double start = robot.now.ros;
+  ASSERT_EQ(robot.is_told(start).factor, 1.0);
+  EXPECT_EQ(robot.is_told(start - 0.1, 0.0).given.linear[0], 0.0) << "a stop counts, however late it comes";
+  EXPECT_EQ(robot.is_told(start).given.linear[0], 0.3) << "which was said after it";
+  robot.pass(0.1);
+  robot.see(Scene());
+  ASSERT_EQ(robot.is_told(start + 0.1, 0.0).given.linear[0], 0.0);
+  EXPECT_EQ(robot.is_told(start + 0.05).given.linear[0], 0.0);
+  EXPECT_EQ(robot.is_told(start + 0.1).given.linear[0], 0.3);
+  ASSERT_EQ(robot.is_told(start + 1.0, 0.0).given.linear[0], 0.0) << "its clock is ahead";
+  robot.pass(0.6);
+  robot.see(Scene());
+  EXPECT_EQ(robot.is_told(start + 0.65).given.linear[0], 0.3) << "longer ago than any command counts";
+}
+
 TEST(Stamped, AClockThatIsSetBackMakesStampsOfBeforeOnesAhead) {
   StampedRobot robot;
   const double stamp = robot.now.ros;
