@@ -7,6 +7,7 @@
 
 #include "bounds.hpp"
 #include "speed/stopping.hpp"
+#include "text/words.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -75,6 +76,26 @@ void check_together(const Settings& settings, Problems& problems) {
                    "publish_rate must lie between 1 and 1000");
 }
 
+/// Its speed follows from the distance, but it is to hear and to be heard often enough.
+std::vector<std::string> doubts_about_guard(const Settings& settings) {
+  std::vector<std::string> sentences;
+  const auto listen = [&](const Settings& own, const std::string& name) {
+    const double period = own.stopping.sensor_period;
+    if (own.source_timeout >= period) return;
+    sentences.push_back(words(name, "source_timeout ", measured(own.source_timeout, "s"),
+                              " is less than sensor_period ", measured(period, "s"),
+                              ": it counts as silent between one look and the next"));
+  };
+  if (settings.sensors.empty()) listen(settings, "");
+  for (const SensorSettings& sensor : settings.sensors)
+    listen(own_settings(settings, sensor), "sensors, " + sensor.name + ": ");
+  const double apart = 1.0 / settings.publish_rate, base_timeout = settings.stopping.base_timeout;
+  if (apart > base_timeout && base_timeout > 0.0)
+    sentences.push_back(words("at publish_rate ", settings.publish_rate, " commands may be ", measured(apart, "s"),
+                              " apart, and after base_timeout ", measured(base_timeout, "s"), " the base stops"));
+  return sentences;
+}
+
 }  // namespace
 
 std::vector<std::string> problems_in(const Settings& settings) {
@@ -98,7 +119,7 @@ Following following_of(const Settings& settings) {
 }
 
 std::vector<std::string> doubts_about(const Settings& settings) {
-  if (settings.mode == Mode::Guard) return {};  // its speed follows from the distance
+  if (settings.mode == Mode::Guard) return doubts_about_guard(settings);
   return doubts_about_stopping(settings, settings.source_timeout);
 }
 

@@ -57,7 +57,7 @@ Law law_of(const Settings& own);
 /// How the base follows what the guard gives.
 Following following_of(const Settings& settings);
 
-/// What is fit but unwise: distances in which the robot could not stop.
+/// What is fit but unwise: distances in which the robot could not stop; as a guard, looks or commands too far apart.
 std::vector<std::string> doubts_about(const Settings& settings);
 
 }  // namespace safety_control_cloud
