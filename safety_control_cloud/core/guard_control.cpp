@@ -47,15 +47,17 @@ double GuardControl::answer_period() const {
   return std::max(least_answer_period, std::min(1.0 / settings_.publish_rate, perception_.least_period()));
 }
 
-/// A stop counts, however late it comes; what was said before it does not end it.
+/// A stop counts, however late it comes; what was said before it does not end it, as long as that is young enough.
 void GuardControl::want(const Command& wanted, const Instant& now, std::optional<double> stamp) {
-  const bool stop_holds = stopped_at_ && now.steady - wanted_at_ <= settings_.command_timeout;
-  if (stop_holds && stamp && *stamp < *stopped_at_) return;
   const StampLimits limits{settings_.command_max_age, settings_.stamp_tolerance};
-  unwanted_ = stamp ? refusal_of_stamp(*stamp, now.ros, limits) : std::nullopt;
+  auto refusal = stamp ? refusal_of_stamp(*stamp, now.ros, limits) : std::nullopt;
+  const double holds = std::max(settings_.command_timeout, settings_.command_max_age);
+  const bool stop_holds = stop_ && now.steady - stop_->came <= holds;
+  if (stop_holds && stamp && !refusal && *stamp < stop_->stamp) return;
+  if (!refusal) stop_ = stamp && stands(in_plane(wanted)) ? std::optional(Stop{*stamp, now.steady}) : std::nullopt;
+  unwanted_ = std::move(refusal);
   wanted_ = wanted;
   wanted_at_ = now.steady;
-  stopped_at_ = !unwanted_ && stands(in_plane(wanted)) ? stamp : std::nullopt;
 }
 
 OverrideReply GuardControl::ask_override(const OverrideWish& wish, const Instant& now) {

@@ -115,13 +115,17 @@ class GuardControl {
   Allowed allowed_now(const Instant& now, const std::vector<Known>& known) const;
   const Guarded& settle(Allowed allowed, const Instant& now);
 
+  struct Stop {
+    double stamp, came;  ///< [s] of ROS time, and steady
+  };
+
   Settings settings_;
   Guard guard_;
   Perception perception_;
   Given given_;
   std::optional<Command> wanted_;
   double wanted_at_ = 0.0;               ///< [s, steady]
-  std::optional<double> stopped_at_;     ///< [s] by the stamp of what is wanted, if that is to stand
+  std::optional<Stop> stop_;             ///< if the latest that was obeyed is to stand
   std::optional<std::string> unwanted_;  ///< why what is wanted is not obeyed, by its stamp
   SightOverride override_;
   Guarded last_;

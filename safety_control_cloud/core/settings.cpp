@@ -79,8 +79,10 @@ void check_together(const Settings& settings, Problems& problems) {
 /// Its speed follows from the distance, but it is to hear and to be heard often enough.
 std::vector<std::string> doubts_about_guard(const Settings& settings) {
   std::vector<std::string> sentences;
+  double apart = 1.0 / settings.publish_rate;  // or after a look
   const auto listen = [&](const Settings& own, const std::string& name) {
     const double period = own.stopping.sensor_period;
+    apart = std::min(apart, period);
     if (own.source_timeout >= period) return;
     sentences.push_back(words(name, "source_timeout ", measured(own.source_timeout, "s"),
                               " is less than sensor_period ", measured(period, "s"),
@@ -89,10 +91,11 @@ std::vector<std::string> doubts_about_guard(const Settings& settings) {
   if (settings.sensors.empty()) listen(settings, "");
   for (const SensorSettings& sensor : settings.sensors)
     listen(own_settings(settings, sensor), "sensors, " + sensor.name + ": ");
-  const double apart = 1.0 / settings.publish_rate, base_timeout = settings.stopping.base_timeout;
+  const double base_timeout = settings.stopping.base_timeout;
   if (apart > base_timeout && base_timeout > 0.0)
-    sentences.push_back(words("at publish_rate ", settings.publish_rate, " commands may be ", measured(apart, "s"),
-                              " apart, and after base_timeout ", measured(base_timeout, "s"), " the base stops"));
+    sentences.push_back(words("at this sensor_period and publish_rate ", settings.publish_rate, " commands may be ",
+                              measured(apart, "s"), " apart, and after base_timeout ", measured(base_timeout, "s"),
+                              " the base stops"));
   return sentences;
 }
 

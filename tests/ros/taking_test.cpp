@@ -37,10 +37,14 @@ TEST(Taking, ASensorHasANameATypeATopicAndWhatIsItsOwn) {
                                      {"required", false},
                                      {"min_points", 2},
                                      {"noise", 0.03},
-                                     {"inf_is_free", true}}));
+                                     {"inf_is_free", true},
+                                     {"zero_is_inf", true}}));
   ASSERT_FALSE(Taking{given}.into(sensors));
-  const SensorSettings expected{
-      "laser", InputKind::Scan, "scan", false, {{"min_points", 2.0}, {"noise", 0.03}, {"inf_is_free", 1.0}}};
+  const SensorSettings expected{"laser",
+                                InputKind::Scan,
+                                "scan",
+                                false,
+                                {{"min_points", 2.0}, {"noise", 0.03}, {"inf_is_free", 1.0}, {"zero_is_inf", 1.0}}};
   EXPECT_EQ(sensors, Sensors{expected});
 }
 

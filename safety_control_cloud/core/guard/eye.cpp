@@ -32,6 +32,8 @@ Eye towards(const Outlook& outlook, const Point& ahead, double half_angle) {
   return {place, (1.0 / length) * direction, half_angle};
 }
 
+double angle_between(const Point2& a, const Point2& b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); }
+
 double bearing_of(const Eye& eye, const Twist2& twist) {
   return std::atan2(cross(eye.direction, linear(twist)), dot(eye.direction, linear(twist)));
 }
@@ -60,7 +62,7 @@ bool leads_into_a_gap(const Outline& outline, const Eye& eye, const Twist2& twis
   for (int i = 1; i <= times; ++i) {
     const Pose2 way = way_of(twist, time * i / times);
     const bool is_any_new = ground.any(way, [](const Point2&) { return true; });
-    if (is_any_new && !ground.any(way, [&](const Point2& place) { return eye.sees(place); })) return true;
+    if (is_any_new && !ground.any(way, [&](const Point2& place) { return !eye.misses(place); })) return true;
   }
   return false;
 }
@@ -78,10 +80,11 @@ Obstacles those_of(const Obstacles& all, Is is) {
 
 }  // namespace
 
-bool Eye::looks_along(const Point2& there) const {
-  const auto off = [&](const Point2& from) { return std::abs(std::atan2(cross(from, there), dot(from, there))); };
-  const auto is_in = [&](const Blind& one) { return off(one.direction) <= one.half_angle; };
-  return off(direction) <= half_angle && std::none_of(blind.begin(), blind.end(), is_in);
+bool Eye::is_between_sides(const Point2& there) const { return angle_between(direction, there) <= half_angle; }
+
+bool Eye::is_in_a_gap(const Point2& there) const {
+  return std::any_of(blind.begin(), blind.end(),
+                     [&](const Blind& one) { return angle_between(one.direction, there) <= one.half_angle; });
 }
 
 Eye eye_of(const Outlook& outlook, const FieldOfView& field) {

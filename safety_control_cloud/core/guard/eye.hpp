@@ -14,7 +14,7 @@ namespace safety_control_cloud {
 
 /// Where a sensor looks, from above, in base_frame.
 struct Eye {
-  /// Where it does not look, between its sides.
+  /// Where it does not look.
   struct Blind {
     Point2 direction;   ///< of length 1, to its middle
     double half_angle;  ///< [rad]
@@ -24,10 +24,16 @@ struct Eye {
   Point2 direction;         ///< of length 1; none (0, 0) if it looks straight up or down
   double half_angle = 0.0;  ///< [rad] to each side, the lesser
 
-  std::vector<Blind> blind = {};
+  std::vector<Blind> blind = {};  ///< between its sides, and beyond
 
   bool sees(const Point2& point) const { return looks_along(point - place); }
-  bool looks_along(const Point2& direction) const;
+  bool looks_along(const Point2& there) const { return is_between_sides(there) && !is_in_a_gap(there); }
+  /// Whether it would see a place, were it not for a gap.
+  bool misses(const Point2& point) const { return is_between_sides(point - place) && is_in_a_gap(point - place); }
+
+ private:
+  bool is_between_sides(const Point2& there) const;
+  bool is_in_a_gap(const Point2& there) const;
 };
 
 /// Of a camera that is placed in base_frame.
@@ -37,7 +43,8 @@ Eye eye_of(const Outlook& outlook, const FieldOfView& field);
 Eye eye_of(const Outlook& outlook, const ScanView& scan, const Bearings& bearings);
 
 /// Whether the footprint comes by a twist to where it is not now and all of that lies outside what the eye sees, at any
-/// distance; or all of the robot moves away from where it looks, or into a gap between its sides.
+/// distance; or all of the robot moves away from where it looks; or it comes, within 1.5 m and a quarter of a turn, to
+/// where all that is new to it lies in gaps between the eye's sides.
 bool leads_into_the_unseen(const Outline& outline, const Eye& eye, const Twist2& twist);
 
 /// Whether a twist leads ahead into what the eye sees, and not past it; of a turn in place, whether all that it leads

@@ -140,11 +140,14 @@ TEST(Bearings, BeamsThatLieFarApartLeaveNoGap) {
   EXPECT_TRUE(bearings.gaps().empty());
 }
 
-TEST(Bearings, WhoShowsNothingAtAllIsNoLook) {
+TEST(Bearings, WhoMeasuresNothingAtAllLooksNowhere) {
   Laser laser;
+  laser.looks(0.0);
   laser.shows(-180, 180, nan);
-  laser.looks();
+  laser.looks(0.5);
   EXPECT_FALSE(laser.bearings.is_blind_at(0.0));
+  laser.looks(2.0);
+  for (const double any : {0.0, 1.5, pi, -pi}) EXPECT_TRUE(laser.bearings.is_blind_at(any)) << any;
 }
 
 }  // namespace

@@ -85,6 +85,16 @@ TEST(Lasers, AWholeScanOfInfinitiesIsBlindUnlessTheyAreFree) {
   }
 }
 
+TEST(Lasers, ZerosAreAsFreeAsInfinitiesWhereTheySayTheSame) {
+  for (const bool zero_is_inf : {false, true}) {
+    Settings settings = with_sensors();
+    settings.sensors[laser].own = {{"inf_is_free", 1.0}, {"zero_is_inf", zero_is_inf ? 1.0 : 0.0}};
+    RobotWithSensors robot(settings);
+    robot.ranges.assign(360, 0.0f);
+    EXPECT_EQ(robot.drives({-0.3, 0.0, 0.0}).cause, zero_is_inf ? Cause::Seen : Cause::Blind);
+  }
+}
+
 /// Beside a robot like a T, which has a wing on each side, before one of them as it backs off.
 TEST(Lasers, WhatABlindOneShowedBeforeALiveChangeStillCounts) {
   for (const bool remembers : {true, false}) {

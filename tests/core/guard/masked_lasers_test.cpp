@@ -73,6 +73,26 @@ TEST(MaskedLasers, WhereItNoLongerMeasuresItNoLongerLooks) {
   }
 }
 
+/// What lies beyond its sides is no gap: an arc of a long robot, part of which is in sight, passes.
+TEST(MaskedLasers, ALaserOfHalfATurnHasNoGap) {
+  Settings settings = guard_settings();
+  settings.unseen_speed = 0.1;
+  settings.footprint.text = "[[-0.4,-0.25],[0.4,-0.25],[0.4,0.25],[-0.4,0.25]]";
+  settings.sensors = {{"laser", InputKind::Scan, "scan", true, {}}};
+  RobotWithSensors robot(settings);
+  robot.ranges.assign(181, 8.0f);
+  robot.first_bearing = -0.5 * pi;
+  for (const Twist2& twist : {Twist2{0.001, 0.0, 0.5}, Twist2{0.05, 0.0, 0.5}, Twist2{0.3, 0.0, 1.5}}) {
+    Guarded answer;
+    for (int i = 0; i < 60; ++i) {
+      robot.pass(0.05);
+      robot.see_scan(0);
+      answer = robot.wants(twist);
+    }
+    EXPECT_EQ(answer.factor, 1.0) << twist.vx << ": " << answer.reason;
+  }
+}
+
 TEST(MaskedLasers, WhatItShowedStaysWhereItNoLongerMeasures) {
   for (const float blank : blanks) {
     Settings settings = guard_settings();

@@ -87,6 +87,35 @@ TEST(Stamped, WhatWasSaidBeforeAStopDoesNotEndIt) {
   EXPECT_EQ(robot.is_told(start + 0.65).given.linear[0], 0.3) << "longer ago than any command counts";
 }
 
+TEST(Stamped, ARefusedStopHoldsAgainstNothingAndARefusedCommandEndsNoStop) {
+  StampedRobot robot;
+  const double start = robot.now.ros;
+  ASSERT_EQ(robot.is_told(start + 2.0, 0.0).cause, Cause::BadCommand);
+  EXPECT_EQ(robot.is_told(start).given.linear[0], 0.3);
+  ASSERT_EQ(robot.is_told(start + 0.1, 0.0).given.linear[0], 0.0);
+  EXPECT_EQ(robot.is_told(0.0).cause, Cause::BadCommand) << "and says so";
+  EXPECT_EQ(robot.is_told(start + 0.05).given.linear[0], 0.0);
+}
+
+TEST(Stamped, AStopHoldsAsLongAsCommandsOfBeforeItAreYoungEnough) {
+  Settings settings = guard_settings();
+  settings.command_max_age = 2.0;
+  GuardedRobot robot(settings);
+  const auto is_told = [&](double stamp, double speed) {
+    robot.see(Scene());
+    Command command;
+    command.linear[0] = speed;
+    robot.control.want(command, robot.now, stamp);
+    return robot.control.answer(robot.now).given.linear[0];
+  };
+  const double start = robot.now.ros;
+  ASSERT_EQ(is_told(start, 0.3), 0.3);
+  ASSERT_EQ(is_told(start + 0.1, 0.0), 0.0);
+  robot.pass(0.8);
+  EXPECT_EQ(is_told(start, 0.3), 0.0);
+  EXPECT_EQ(is_told(start + 0.2, 0.3), 0.3);
+}
+
 TEST(Stamped, AClockThatIsSetBackMakesStampsOfBeforeOnesAhead) {
   StampedRobot robot;
   const double stamp = robot.now.ros;
