@@ -79,28 +79,40 @@ def clouds(out: Path) -> Dict[str, List[tuple]]:
     return found
 
 
-def kill_some(cluster: Any, done: threading.Event) -> None:
+BETWEEN_DEATHS = 4  # bags that get their rows
+
+
+def kill_some(cluster: Any, out: Path, done: threading.Event, killed: List[int]) -> None:
+    """A worker whenever some more bags have their rows, however slow the machine is; of the first half, which leaves
+    those over which one died to the end: three deaths over one bag would make it an error."""
     chance = random.Random(11)
+    judged = 0
     with distributed.Client(cluster) as client:
-        while not done.wait(1.5):
+        while not done.wait(0.05):
+            now = len(list(out.glob("clouds/*.parquet")))
+            if not judged + BETWEEN_DEATHS <= now <= BAGS // 2:
+                continue
             pids = list(client.run(os.getpid, on_error="ignore").values())
             if pids:
-                os.kill(chance.choice(pids), signal.SIGKILL)
+                judged = now
+                killed.append(chance.choice(pids))
+                os.kill(killed[-1], signal.SIGKILL)
 
 
 @pytest.mark.slow
 def test_a_cluster_whose_workers_are_killed_gives_the_rows_that_one_process_gives(tmp_path, drives):
     assert judge(drives, "--out", tmp_path / "one", "--jobs", 1).returncode == 1
 
-    done = threading.Event()
+    done, killed = threading.Event(), []
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster:
-        killer = threading.Thread(target=kill_some, args=(cluster, done))
+        killer = threading.Thread(target=kill_some, args=(cluster, tmp_path / "many", done, killed))
         killer.start()
         result = judge(drives, "--out", tmp_path / "many", "--scheduler", cluster.scheduler_address)
         done.set()
         killer.join()
 
     assert result.returncode == 1, result.stderr
+    assert len(killed) >= 3
     one, many = clouds(tmp_path / "one"), clouds(tmp_path / "many")
     assert len(one) == BAGS and sum(rows[0] == "error" for rows in one.values()) == DAMAGED
     assert many == one
