@@ -32,6 +32,10 @@ Surroundings surroundings_of(const Settings& own, const Guard& guard) {
   return {guard.outline(), {band.bottom, band.top, guard.reach(own.source_timeout, law_of(own)), own_boxes_of(own)}};
 }
 
+Bearings bearings_of(const Settings& own) {
+  return Bearings(own_boxes_of(own), own.zero_is_inf ? Bearings::Zero::WhatInfSays : Bearings::Zero::Nothing);
+}
+
 /// Of what is ahead, as the drive mode has it.
 std::optional<ZoneCap> cap_by(const Answer& answer, const Settings& settings, double facing) {
   const auto* seen = std::get_if<Seen>(&answer);
@@ -49,7 +53,7 @@ GuardSensor::GuardSensor(const SensorSettings& sensor, const Settings& settings,
       law_(law_of(own_)),
       sensor_(straight_),
       around_(surroundings_of(own_, guard)),
-      bearings_(own_boxes_of(own_), own_.zero_is_inf) {}
+      bearings_(bearings_of(own_)) {}
 
 void GuardSensor::adopt(const Settings& settings, const Guard& guard) {
   own_ = own_settings(settings, about_);
@@ -57,7 +61,7 @@ void GuardSensor::adopt(const Settings& settings, const Guard& guard) {
   law_ = law_of(own_);
   sensor_.adopt(sensor_settings(own_, facing_));
   around_ = surroundings_of(own_, guard);
-  bearings_ = Bearings(own_boxes_of(own_), own_.zero_is_inf);
+  bearings_ = bearings_of(own_);
   lost_.forget_explanation();
   collected_ = Collected::Nothing;  // what was, was collected within other limits
 }

@@ -79,7 +79,7 @@ void check_together(const Settings& settings, Problems& problems) {
 /// Its speed follows from the distance, but it is to hear and to be heard often enough.
 std::vector<std::string> doubts_about_guard(const Settings& settings) {
   std::vector<std::string> sentences;
-  double apart = 1.0 / settings.publish_rate;  // or after a look
+  double apart = std::min(1.0 / settings.publish_rate, settings.stopping.sensor_period);  // see answer_period()
   const auto listen = [&](const Settings& own, const std::string& name) {
     const double period = own.stopping.sensor_period;
     apart = std::min(apart, period);

@@ -168,7 +168,7 @@ Taking::Problem Taking::into_entry(SensorSettings& sensor) const {
 }
 
 Taking::Problem Taking::into_own(const std::string& name, double& setting) const {
-  if (name != "inf_is_free" && name != "zero_is_inf") return into(setting);
+  if (!is_flag(name)) return into(setting);
   bool flag = false;
   const Problem problem = into(flag);
   setting = flag ? 1.0 : 0.0;

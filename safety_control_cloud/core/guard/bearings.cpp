@@ -29,11 +29,11 @@ Beam beam_at(const ScanView& scan, std::size_t i) {
 
 }  // namespace
 
-/// By what the beam is, and whether it shows the robot itself.
 bool Bearings::measures(const ScanView& scan, std::size_t beam, const Outlook& outlook) const {
   const Beam seen = beam_at(scan, beam);
   if (seen.z == too_close) return true;
-  if (std::isnan(seen.z)) return !std::isnan(zero_is_inf_ ? seen.z_if_zero_is_too : seen.z_if_inf_is_free);
+  if (std::isnan(seen.z))
+    return !std::isnan(zero_ == Zero::WhatInfSays ? seen.z_if_zero_is_too : seen.z_if_inf_is_free);
   const Point there = outlook.placed(seen.x, seen.y, seen.z);
   return !is_own(self_, there.z, -there.x, -there.y);
 }

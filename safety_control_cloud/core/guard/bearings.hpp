@@ -18,10 +18,11 @@ namespace safety_control_cloud {
 /// itself nobody looks: what a scan names is not what it shows.
 class Bearings {
  public:
-  /// What returns from the robot itself is no measurement, nor is what lies behind that. 0 is one, if it says what +Inf
-  /// says.
-  explicit Bearings(std::vector<OwnBox> self, bool zero_is_inf = false)
-      : self_(std::move(self)), zero_is_inf_(zero_is_inf) {
+  /// What a range of 0 says.
+  enum class Zero { Nothing, WhatInfSays };
+
+  /// What returns from the robot itself is no measurement, nor is what lies behind that.
+  explicit Bearings(std::vector<OwnBox> self, Zero zero = Zero::Nothing) : self_(std::move(self)), zero_(zero) {
     measured_.fill(never);
   }
   Bearings() : Bearings(std::vector<OwnBox>()) {}
@@ -43,11 +44,12 @@ class Bearings {
   static constexpr double full_turn = 6.283185307179586, bin = full_turn / static_cast<double>(bins);  ///< [rad]
   static constexpr double never = -std::numeric_limits<double>::infinity();
   static std::size_t bin_of(double bearing);
+  /// By what the beam is, and whether it shows the robot itself.
   bool measures(const ScanView& scan, std::size_t beam, const Outlook& outlook) const;
   void find_gaps(double now);
 
   std::vector<OwnBox> self_;
-  bool zero_is_inf_;
+  Zero zero_;
   std::array<double, bins> measured_;  ///< when for the last time [s]
   std::vector<Gap> gaps_;
 };

@@ -34,13 +34,9 @@ Eye towards(const Outlook& outlook, const Point& ahead, double half_angle) {
 
 double angle_between(const Point2& a, const Point2& b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); }
 
-double bearing_of(const Eye& eye, const Twist2& twist) {
-  return std::atan2(cross(eye.direction, linear(twist)), dot(eye.direction, linear(twist)));
-}
-
 /// Who backs on an arc swings his front into the picture, and drives into what nobody sees.
 bool translates_away(const Eye& eye, const Twist2& twist) {
-  return speed_of(twist) > 0.0 && std::abs(bearing_of(eye, twist)) > eye.half_angle + beside_view;
+  return speed_of(twist) > 0.0 && angle_between(eye.direction, linear(twist)) > eye.half_angle + beside_view;
 }
 
 /// Whether any place to which the footprint comes by a twist, and where it is not now, is such a one.
@@ -61,8 +57,12 @@ bool leads_into_a_gap(const Outline& outline, const Eye& eye, const Twist2& twis
   const double time = std::min(std::max(way_ahead, far_ahead / speed), farthest_turn / std::abs(twist.w));
   for (int i = 1; i <= times; ++i) {
     const Pose2 way = way_of(twist, time * i / times);
-    const bool is_any_new = ground.any(way, [](const Point2&) { return true; });
-    if (is_any_new && !ground.any(way, [&](const Point2& place) { return !eye.misses(place); })) return true;
+    bool is_any_new = false;
+    const bool is_beside = ground.any(way, [&](const Point2& place) {
+      is_any_new = true;
+      return !eye.misses(place);
+    });
+    if (is_any_new && !is_beside) return true;
   }
   return false;
 }

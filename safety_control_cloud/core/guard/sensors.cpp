@@ -13,7 +13,7 @@ namespace {
 const std::set<std::string> of_all = {"source_timeout", "stamp_tolerance", "min_valid_ratio", "min_returns",
                                       "frozen_clouds",  "sensor_period",   "min_points",      "noise"};
 const std::set<std::string> of_cameras = {"range_min", "near_loss_distance", "near_loss_timeout", "blind_range"};
-const std::set<std::string> of_scans = {"inf_is_free", "zero_is_inf"};
+const std::set<std::string> flags_of_scans = {"inf_is_free", "zero_is_inf"};
 const std::set<std::string> counts = {"min_returns", "frozen_clouds", "min_points"};
 
 /// As a part of a ROS name.
@@ -32,8 +32,10 @@ bool operator==(const SensorSettings& a, const SensorSettings& b) {
 }
 
 bool is_own_parameter(const std::string& name, InputKind type) {
-  return of_all.count(name) > 0 || (type == InputKind::Scan ? of_scans : of_cameras).count(name) > 0;
+  return of_all.count(name) > 0 || (type == InputKind::Scan ? flags_of_scans : of_cameras).count(name) > 0;
 }
+
+bool is_flag(const std::string& own_parameter) { return flags_of_scans.count(own_parameter) > 0; }
 
 void check(const Sensors& sensors, Problems& problems) {
   std::set<std::string> names, topics;

@@ -28,6 +28,9 @@ bool operator==(const SensorSettings& a, const SensorSettings& b);
 /// Whether a sensor of this type may have its own.
 bool is_own_parameter(const std::string& name, InputKind type);
 
+/// Of such a one, whether it is true or false: 1 or 0 in SensorSettings::own.
+bool is_flag(const std::string& own_parameter);
+
 void check(const Sensors& sensors, Problems& problems);
 
 }  // namespace safety_control_cloud

@@ -85,14 +85,14 @@ TEST(Bearings, WhatMeasuredIsBlindASecondAfterItLastDid) {
 }
 
 TEST(Bearings, ZeroIsAMeasurementWhereItSaysWhatInfinitySays) {
-  for (const bool zero_is_inf : {false, true}) {
+  for (const auto zero : {Bearings::Zero::Nothing, Bearings::Zero::WhatInfSays}) {
     Laser laser;
-    laser.bearings = Bearings({}, zero_is_inf);
+    laser.bearings = Bearings({}, zero);
     laser.shows(20, 50, 0.0f);
     laser.shows(90, 120, nan);
     laser.shows(-50, -20, inf);
     laser.looks();
-    EXPECT_EQ(laser.bearings.is_blind_at(rad(35.0)), !zero_is_inf);
+    EXPECT_EQ(laser.bearings.is_blind_at(rad(35.0)), zero == Bearings::Zero::Nothing);
     EXPECT_TRUE(laser.bearings.is_blind_at(rad(105.0)));
     EXPECT_FALSE(laser.bearings.is_blind_at(rad(-35.0)));
   }

@@ -14,12 +14,30 @@ namespace {
 /// What a filter puts in place of beams that it takes away.
 constexpr float blanks[] = {std::numeric_limits<float>::quiet_NaN(), 0.0f, 11.0f};
 
-/// A laser alone, of a whole turn but for what a filter takes away beyond 100 degrees to each side.
-RobotWithSensors with_masked_laser(float blank, double unseen_speed) {
+Settings with_a_laser_alone(double unseen_speed) {
   Settings settings = guard_settings();
   settings.unseen_speed = unseen_speed;
   settings.sensors = {{"laser", InputKind::Scan, "scan", true, {}}};
-  RobotWithSensors robot(settings);
+  return settings;
+}
+
+struct RobotWithALaser : RobotWithSensors {
+  using RobotWithSensors::RobotWithSensors;
+
+  /// Looks, and somebody says the same after each.
+  Guarded looks(int times, const Twist2& twist = {}) {
+    for (int i = 0; i < times; ++i) {
+      pass(0.05);
+      see_scan(0);
+      wants(twist);
+    }
+    return wants(twist);
+  }
+};
+
+/// Of a whole turn but for what a filter takes away beyond 100 degrees to each side.
+RobotWithALaser with_masked_laser(float blank, double unseen_speed) {
+  RobotWithALaser robot(with_a_laser_alone(unseen_speed));
   for (std::size_t degrees = 0; degrees < 360; ++degrees)
     if (degrees < 80 || degrees > 280) robot.ranges[degrees] = blank;
   return robot;
@@ -28,15 +46,8 @@ RobotWithSensors with_masked_laser(float blank, double unseen_speed) {
 TEST(MaskedLasers, WhereALaserHasNeverMeasuredItDoesNotLook) {
   constexpr double unseen_speed = 0.1;
   for (const float blank : blanks) {
-    RobotWithSensors robot = with_masked_laser(blank, unseen_speed);
-    const auto drives = [&](const Twist2& twist) {
-      for (int i = 0; i < 10; ++i) {
-        robot.pass(0.05);
-        robot.see_scan(0);
-        robot.wants(twist);
-      }
-      return robot.wants(twist);
-    };
+    RobotWithALaser robot = with_masked_laser(blank, unseen_speed);
+    const auto drives = [&](const Twist2& twist) { return robot.looks(10, twist); };
     const Guarded behind = drives({-0.4, 0.0, 0.0});
     EXPECT_NEAR(behind.given.linear[0], -unseen_speed, 1e-6) << blank << ": " << behind.reason;
     EXPECT_EQ(drives({0.4, 0.0, 0.0}).factor, 1.0) << blank << ": it looks there";
@@ -50,16 +61,11 @@ TEST(MaskedLasers, WhereItNoLongerMeasuresItNoLongerLooks) {
   constexpr double unseen_speed = 0.1;
   for (const float blank : blanks) {
     for (const bool zero_is_inf : {false, true}) {
-      Settings settings = guard_settings();
-      settings.unseen_speed = unseen_speed;
-      settings.sensors = {{"laser", InputKind::Scan, "scan", true, {{"zero_is_inf", zero_is_inf ? 1.0 : 0.0}}}};
-      RobotWithSensors robot(settings);
+      Settings settings = with_a_laser_alone(unseen_speed);
+      settings.sensors[0].own["zero_is_inf"] = zero_is_inf ? 1.0 : 0.0;
+      RobotWithALaser robot(settings);
       const auto looks = [&](int times) {
-        for (int i = 0; i < times; ++i) {
-          robot.pass(0.05);
-          robot.see_scan(0);
-          robot.wants({});
-        }
+        robot.looks(times);
         return robot.wants({0.4, 0.0, 0.0});
       };
       EXPECT_EQ(looks(20).factor, 1.0);
@@ -75,36 +81,25 @@ TEST(MaskedLasers, WhereItNoLongerMeasuresItNoLongerLooks) {
 
 /// What lies beyond its sides is no gap: an arc of a long robot, part of which is in sight, passes.
 TEST(MaskedLasers, ALaserOfHalfATurnHasNoGap) {
-  Settings settings = guard_settings();
-  settings.unseen_speed = 0.1;
+  Settings settings = with_a_laser_alone(0.1);
   settings.footprint.text = "[[-0.4,-0.25],[0.4,-0.25],[0.4,0.25],[-0.4,0.25]]";
-  settings.sensors = {{"laser", InputKind::Scan, "scan", true, {}}};
-  RobotWithSensors robot(settings);
+  RobotWithALaser robot(settings);
+  robot.laser_place = laser_at(0.2, 0.0, 0.4);
   robot.ranges.assign(181, 8.0f);
   robot.first_bearing = -0.5 * pi;
   for (const Twist2& twist : {Twist2{0.001, 0.0, 0.5}, Twist2{0.05, 0.0, 0.5}, Twist2{0.3, 0.0, 1.5}}) {
-    Guarded answer;
-    for (int i = 0; i < 60; ++i) {
-      robot.pass(0.05);
-      robot.see_scan(0);
-      answer = robot.wants(twist);
-    }
+    const Guarded answer = robot.looks(60, twist);
     EXPECT_EQ(answer.factor, 1.0) << twist.vx << ": " << answer.reason;
   }
 }
 
 TEST(MaskedLasers, WhatItShowedStaysWhereItNoLongerMeasures) {
   for (const float blank : blanks) {
-    Settings settings = guard_settings();
-    settings.unseen_speed = 0.7;
-    settings.sensors = {{"laser", InputKind::Scan, "scan", true, {}}};
-    RobotWithSensors robot(settings);
+    RobotWithALaser robot(with_a_laser_alone(0.7));
     const auto looks = [&](int times) {
       for (int i = 0; i < times; ++i) {
-        robot.pass(0.05);
-        robot.control.note_odometry(robot.now.ros, {}, {});
-        robot.see_scan(0);
-        robot.wants({});
+        robot.control.note_odometry(robot.now.ros + 0.05, {}, {});
+        robot.looks(1);
       }
       return robot.wants({0.6, 0.0, 0.0});
     };
@@ -118,7 +113,7 @@ TEST(MaskedLasers, WhatItShowedStaysWhereItNoLongerMeasures) {
 
 TEST(MaskedLasers, WhatIsRememberedIsNotSeenToGoWhereALaserHasNeverMeasured) {
   for (const float blank : blanks) {
-    RobotWithSensors robot = with_masked_laser(blank, 0.7);
+    RobotWithALaser robot = with_masked_laser(blank, 0.7);
     const std::vector<float> free = robot.ranges;
     Pose2 pose;
     const auto turns = [&](int looks, double turning) {

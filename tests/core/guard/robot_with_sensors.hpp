@@ -18,10 +18,10 @@ inline Placing turned_xtion(double heading) {
   return placing_of(place);
 }
 
-inline Placing laser_at(double height, double tilt = 0.0) {
+inline Placing laser_at(double height, double tilt = 0.0, double ahead = 0.0) {
   const double c = std::cos(tilt), s = std::sin(tilt);
   Eigen::Matrix<double, 3, 4> place;
-  place << c, 0, s, 0.0, 0, 1, 0, 0.0, -s, 0, c, height;
+  place << c, 0, s, ahead, 0, 1, 0, 0.0, -s, 0, c, height;
   return placing_of(place);
 }
 

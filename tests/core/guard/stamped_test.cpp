@@ -37,7 +37,7 @@ TEST(Stamped, WhileRosTimeStandsAtZeroNothingMay) {
 }
 
 struct StampedRobot : GuardedRobot {
-  StampedRobot() { see(Scene()); }
+  explicit StampedRobot(const Settings& settings = guard_settings()) : GuardedRobot(settings) { see(Scene()); }
   const Guarded& is_told(double stamp, double speed = 0.3) {
     Command command;
     command.linear[0] = speed;
@@ -100,20 +100,14 @@ TEST(Stamped, ARefusedStopHoldsAgainstNothingAndARefusedCommandEndsNoStop) {
 TEST(Stamped, AStopHoldsAsLongAsCommandsOfBeforeItAreYoungEnough) {
   Settings settings = guard_settings();
   settings.command_max_age = 2.0;
-  GuardedRobot robot(settings);
-  const auto is_told = [&](double stamp, double speed) {
-    robot.see(Scene());
-    Command command;
-    command.linear[0] = speed;
-    robot.control.want(command, robot.now, stamp);
-    return robot.control.answer(robot.now).given.linear[0];
-  };
+  StampedRobot robot(settings);
   const double start = robot.now.ros;
-  ASSERT_EQ(is_told(start, 0.3), 0.3);
-  ASSERT_EQ(is_told(start + 0.1, 0.0), 0.0);
+  ASSERT_EQ(robot.is_told(start).given.linear[0], 0.3);
+  ASSERT_EQ(robot.is_told(start + 0.1, 0.0).given.linear[0], 0.0);
   robot.pass(0.8);
-  EXPECT_EQ(is_told(start, 0.3), 0.0);
-  EXPECT_EQ(is_told(start + 0.2, 0.3), 0.3);
+  robot.see(Scene());
+  EXPECT_EQ(robot.is_told(start).given.linear[0], 0.0);
+  EXPECT_EQ(robot.is_told(start + 0.2).given.linear[0], 0.3);
 }
 
 TEST(Stamped, AClockThatIsSetBackMakesStampsOfBeforeOnesAhead) {
