@@ -18,7 +18,7 @@ constexpr float too_close = -std::numeric_limits<float>::infinity();
 
 struct Beam {
   float x, y, z;
-  float z_if_inf_is_free, z_if_zero_is_too;
+  float z_if_inf_is_free, z_if_zero_is_inf, z_if_both;
 };
 
 Beam beam_at(const ScanView& scan, std::size_t i) {
@@ -32,8 +32,7 @@ Beam beam_at(const ScanView& scan, std::size_t i) {
 bool Bearings::measures(const ScanView& scan, std::size_t beam, const Outlook& outlook) const {
   const Beam seen = beam_at(scan, beam);
   if (seen.z == too_close) return true;
-  if (std::isnan(seen.z))
-    return !std::isnan(zero_ == Zero::WhatInfSays ? seen.z_if_zero_is_too : seen.z_if_inf_is_free);
+  if (std::isnan(seen.z)) return !std::isnan(zero_ == Zero::WhatInfSays ? seen.z_if_both : seen.z_if_inf_is_free);
   const Point there = outlook.placed(seen.x, seen.y, seen.z);
   return !is_own(self_, there.z, -there.x, -there.y);
 }

@@ -44,16 +44,16 @@ void check(const Scan& scan) {
   require(scan.scan_time >= 0.0 && scan.scan_time <= longest_turn, words("scan_time ", scan.scan_time, " s"));
 }
 
-std::array<float, 5> point_of(float range, double bearing, const Scan& scan) {
-  if (range == -inf) return {nan, nan, -inf, -inf, -inf};
+std::array<float, 6> point_of(float range, double bearing, const Scan& scan) {
+  if (range == -inf) return {nan, nan, -inf, -inf, -inf, -inf};
   const auto along = static_cast<float>(std::cos(bearing)), across = static_cast<float>(std::sin(bearing));
-  if (range == inf) return {beyond * along, beyond * across, nan, 0.0f, 0.0f};
+  if (range == inf) return {beyond * along, beyond * across, nan, 0.0f, nan, 0.0f};
   if (range == 0.0f) {
     const float z = scan.range_min > 0.0 ? nan : -inf;
-    return {beyond * along, beyond * across, z, z, 0.0f};
+    return {beyond * along, beyond * across, z, z, nan, 0.0f};
   }
-  if (!(range >= scan.range_min && range <= scan.range_max)) return {nan, nan, nan, nan, nan};
-  return {range * along, range * across, 0.0f, 0.0f, 0.0f};
+  if (!(range >= scan.range_min && range <= scan.range_max)) return {nan, nan, nan, nan, nan, nan};
+  return {range * along, range * across, 0.0f, 0.0f, 0.0f, 0.0f};
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ ScanView ScanPoints::of(const Scan& scan) {
   for (std::size_t i = 0; i < scan.size; ++i)
     points_[i] = point_of(scan.ranges[i], scan.angle_min + scan.angle_increment * static_cast<double>(i), scan);
   const double steps = static_cast<double>(scan.size - 1), end = scan.angle_min + scan.angle_increment * steps;
-  ScanView view{in_rows(points_, scan.size), 3 * sizeof(float), 4 * sizeof(float)};
+  ScanView view{in_rows(points_, scan.size), 3 * sizeof(float), 4 * sizeof(float), 5 * sizeof(float)};
   view.first = std::min(scan.angle_min, end), view.last = std::max(scan.angle_min, end);
   view.descending = scan.angle_increment < 0.0;
   view.range_min = scan.range_min, view.range_max = scan.range_max;

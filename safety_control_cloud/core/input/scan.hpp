@@ -25,7 +25,8 @@ struct Scan {
 struct ScanView {
   CloudView points;                ///< of one row, a point a beam; +Inf is nothing measured
   std::size_t z_if_inf_is_free;    ///< [byte] in a point: z where +Inf has seen, far away, that nothing is there
-  std::size_t z_if_zero_is_too;    ///< [byte] the same where 0 says what +Inf says
+  std::size_t z_if_zero_is_inf;    ///< [byte] where 0 says what +Inf says
+  std::size_t z_if_both;           ///< [byte]
   double first = 0.0, last = 0.0;  ///< [rad] bearings, first <= last
   bool descending = false;         ///< the first point is that of the last bearing
   double range_min = 0.0;          ///< [m] nearer than which nothing is measured
@@ -40,7 +41,7 @@ class ScanPoints {
   ScanView of(const Scan& scan);
 
  private:
-  std::vector<std::array<float, 5>> points_;  ///< x, y, z, z_if_inf_is_free, z_if_zero_is_too
+  std::vector<std::array<float, 6>> points_;  ///< x, y, z, z_if_inf_is_free, z_if_zero_is_inf, z_if_both
 };
 
 }  // namespace safety_control_cloud

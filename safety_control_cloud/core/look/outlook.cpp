@@ -4,6 +4,15 @@
 #include "settings.hpp"
 
 namespace safety_control_cloud {
+namespace {
+
+/// [byte] Where a scan's points have their z.
+std::size_t z_of(const ScanView& scan, const LookSettings& look) {
+  if (look.inf_is_free) return look.zero_is_inf ? scan.z_if_both : scan.z_if_inf_is_free;
+  return look.zero_is_inf ? scan.z_if_zero_is_inf : scan.points.offset[2];
+}
+
+}  // namespace
 
 std::variant<Outlook, NoTransform> outlook_of(const LookSettings& look, const Placing& placing) {
   if (const auto* missing = std::get_if<NoTransform>(&placing)) return *missing;
@@ -22,8 +31,7 @@ Point Outlook::seen_from_camera(const Point& placed) const { return placement ? 
 View view_in(const Reading& reading, const LookSettings& look) {
   View view = view_in(reading);
   if (auto* image = std::get_if<DepthView>(&view)) image->minus_inf = look.depth_minus_inf;
-  if (const auto* scan = std::get_if<ScanView>(&reading); scan && look.inf_is_free)
-    std::get<CloudView>(view).offset[2] = look.zero_is_inf ? scan->z_if_zero_is_too : scan->z_if_inf_is_free;
+  if (const auto* scan = std::get_if<ScanView>(&reading)) std::get<CloudView>(view).offset[2] = z_of(*scan, look);
   return view;
 }
 

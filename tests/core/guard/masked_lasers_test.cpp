@@ -79,6 +79,20 @@ TEST(MaskedLasers, WhereItNoLongerMeasuresItNoLongerLooks) {
   }
 }
 
+TEST(MaskedLasers, ZeroIsTooCloseWhereNothingIsUnlessItSaysWhatInfinitySays) {
+  for (const bool inf_is_free : {false, true}) {
+    for (const bool zero_is_inf : {false, true}) {
+      Settings settings = with_a_laser_alone(0.1);
+      settings.sensors[0].own = {{"inf_is_free", inf_is_free ? 1.0 : 0.0}, {"zero_is_inf", zero_is_inf ? 1.0 : 0.0}};
+      RobotWithALaser robot(settings);
+      robot.range_min = 0.0;
+      for (std::size_t degrees = 120; degrees < 240; ++degrees) robot.ranges[degrees] = 0.0f;
+      const Guarded answer = robot.looks(20, {0.4, 0.0, 0.0});
+      EXPECT_EQ(answer.factor, zero_is_inf ? 1.0 : 0.0) << inf_is_free << ": " << answer.reason;
+    }
+  }
+}
+
 /// What lies beyond its sides is no gap: an arc of a long robot, part of which is in sight, passes.
 TEST(MaskedLasers, ALaserOfHalfATurnHasNoGap) {
   Settings settings = with_a_laser_alone(0.1);

@@ -96,13 +96,17 @@ TEST(Scan, ZeroMaySayWhatInfinitySays) {
       const float z = z_at(offset, 0);
       EXPECT_TRUE(range_min > 0.0 ? std::isnan(z) : z == -inf) << z;
     }
-    EXPECT_EQ(z_at(view.z_if_zero_is_too, 0), 0.0f);
+    EXPECT_EQ(z_at(view.z_if_both, 0), 0.0f);
+    EXPECT_TRUE(std::isnan(z_at(view.z_if_zero_is_inf, 0))) << "nothing measured";
     const Point there = points_in(view.points)[0];
     EXPECT_GT(std::hypot(there.x, there.y), 1e3f) << "far away";
-    EXPECT_EQ(z_at(view.z_if_zero_is_too, 1), 0.0f);
-    EXPECT_EQ(z_at(view.z_if_zero_is_too, 2), 0.0f);
-    EXPECT_TRUE(std::isnan(z_at(view.z_if_zero_is_too, 3)));
-    EXPECT_EQ(z_at(view.z_if_zero_is_too, 4), -inf);
+    EXPECT_EQ(z_at(view.z_if_both, 2), 0.0f);
+    EXPECT_TRUE(std::isnan(z_at(view.z_if_zero_is_inf, 2)));
+    for (const std::size_t offset : {view.z_if_both, view.z_if_zero_is_inf}) {
+      EXPECT_EQ(z_at(offset, 1), 0.0f);
+      EXPECT_TRUE(std::isnan(z_at(offset, 3)));
+      EXPECT_EQ(z_at(offset, 4), -inf);
+    }
   }
 }
 
