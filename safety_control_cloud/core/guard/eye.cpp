@@ -67,17 +67,6 @@ bool leads_into_a_gap(const Outline& outline, const Eye& eye, const Twist2& twis
   return false;
 }
 
-template <class Is>
-Obstacles those_of(const Obstacles& all, Is is) {
-  Obstacles some;
-  for (std::size_t i = 0; i < all.points.size(); ++i) {
-    if (!is(all.points[i])) continue;
-    some.points.push_back(all.points[i]);
-    if (!all.counts.empty()) some.counts.push_back(all.counts[i]);
-  }
-  return some;
-}
-
 }  // namespace
 
 bool Eye::is_between_sides(const Point2& there) const { return angle_between(direction, there) <= half_angle; }
@@ -126,12 +115,8 @@ bool leads_away_from(const Eye& eye, const Twist2& twist) {
          -dot(eye.direction, linear(twist)) >= least_away * speed;
 }
 
-Obstacles approached(const Obstacles& all, const Outline& outline, const Twist2& twist) {
-  return those_of(all, [&](const Point2& point) { return comes_nearer(outline, twist, point, soon, nearer); });
-}
-
-Obstacles beside_view(const Obstacles& all, const Eye& eye, const Outline& outline, const Twist2& twist) {
-  return approached(those_of(all, [&](const Point2& point) { return !eye.sees(point); }), outline, twist);
+bool is_approached(const Point2& point, const Outline& outline, const Twist2& twist) {
+  return comes_nearer(outline, twist, point, soon, nearer);
 }
 
 }  // namespace safety_control_cloud

@@ -6,7 +6,6 @@
 
 #include "../input/scan.hpp"
 #include "../look/field_of_view.hpp"
-#include "../path/obstacles.hpp"
 #include "../path/outline.hpp"
 #include "bearings.hpp"
 
@@ -54,10 +53,7 @@ bool leads_to_where_it_looks(const Outline& outline, const Eye& eye, const Twist
 /// Whether no part of the robot comes nearer to where the eye looks: straight away from it, without turning.
 bool leads_away_from(const Eye& eye, const Twist2& twist);
 
-/// Of these, those to which the footprint comes nearer by a twist.
-Obstacles approached(const Obstacles& all, const Outline& outline, const Twist2& twist);
-
-/// Of these, those to which the footprint comes nearer by a twist and that lie beside what the eye sees.
-Obstacles beside_view(const Obstacles& all, const Eye& eye, const Outline& outline, const Twist2& twist);
+/// Whether the footprint comes nearer to it by a twist.
+bool is_approached(const Point2& point, const Outline& outline, const Twist2& twist);
 
 }  // namespace safety_control_cloud

@@ -50,7 +50,7 @@ bool may_leave(const Known& known, const Twist2& wanted) {
 /// What the whole of a motion would run into, where the part of it that is left clears all.
 Contact on_the_path(const Outline& outline, const Obstacles& obstacles, const Twist2& wanted) {
   const Sweep sweep(outline, wanted);
-  return contact(obstacles, 1, 0.0, [&](const Point2& point) { return sweep.time_to_contact(point); });
+  return contact(obstacles, 1, 0.0, time_by(sweep));
 }
 
 }  // namespace
@@ -218,10 +218,12 @@ Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Kn
   const Outline outline(widened(outline_, widening));
   for (const Pose2& way : known.ways) {
     Obstacles moved = seen_after(way, ring.obstacles);
-    if (known.is_missed)
-      moved = approached(moved, outline_, wanted);
-    else if (is_shown)
-      moved = beside_view(moved, *known.seen_by, outline_, wanted);
+    if (known.is_missed || is_shown) {
+      moved.condition = Condition([&](const Point2& point) {
+        const bool is_seen = !known.is_missed && known.seen_by->sees(point);
+        return !is_seen && is_approached(point, outline_, wanted);
+      });
+    }
     Limit limit = safety_control_cloud::limit(outline, law, moved, known.age, under_way, wanted);
     limit.factor = std::max(limit.factor, creeping);
     if (!(limit.factor < least.factor)) continue;

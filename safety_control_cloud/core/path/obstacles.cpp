@@ -34,6 +34,13 @@ void add(Obstacles& obstacles, const Point2& point, std::uint32_t count) {
 
 }  // namespace
 
+bool Condition::holds_for(const std::vector<Point2>& points, std::size_t i) const {
+  if (!counts_) return true;
+  known_.resize(points.size(), Known::Not);
+  if (known_[i] == Known::Not) known_[i] = counts_(points[i]) ? Known::Counts : Known::CountsNot;
+  return known_[i] == Known::Counts;
+}
+
 Obstacles reduced(const std::vector<Point2>& points, double cell) {
   Obstacles obstacles;
   std::vector<Placed> placed;

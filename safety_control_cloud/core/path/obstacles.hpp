@@ -3,17 +3,35 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "outline.hpp"
 
 namespace safety_control_cloud {
 
+/// Which points count, where to say so takes longer than to see that most of them lie beside the way: found out once
+/// for each that somebody asks for. None given: all do.
+class Condition {
+ public:
+  explicit Condition(std::function<bool(const Point2&)> counts = {}) : counts_(std::move(counts)) {}
+
+  /// Of the same points each time.
+  bool holds_for(const std::vector<Point2>& points, std::size_t i) const;
+
+ private:
+  enum class Known : std::uint8_t { Not, Counts, CountsNot };
+  std::function<bool(const Point2&)> counts_;
+  mutable std::vector<Known> known_;
+};
+
 /// Returns of one look, seen from above, as places of which each may stand for several.
 struct Obstacles {
   std::vector<Point2> points;
   std::vector<std::uint32_t> counts;  ///< returns that each point stands for; empty: one each
   double widening = 0.0;              ///< [m] how far from its point a return may lie
+  Condition condition = Condition();
 };
 
 /// One point for each cell of a grid: the middle of the cell's returns, with how far the farthest lies from it. A sweep

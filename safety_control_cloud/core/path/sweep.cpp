@@ -20,6 +20,13 @@ double square(double x) { return x * x; }
 /// A distance, or a power, that is on the boundary but for rounding and `touch`.
 double snapped(double value, double least) { return value < 0.0 && value >= -least ? 0.0 : value; }
 
+/// No later than the moment by more than rounding, by the first terms of the arc tangent; 0 from half a turn on.
+double about(const Moment& moment, double half_rate) {
+  if (!(moment.denominator > 0.0)) return 0.0;
+  const double ratio = moment.numerator / moment.denominator, tangent = half_rate * ratio;
+  return ratio * (1.0 - tangent * tangent / 3.0) * (1.0 - 1e-12);
+}
+
 }  // namespace
 
 double time_of(const Moment& moment, double half_rate) {
@@ -36,10 +43,10 @@ Sweep::Sweep(const Outline& outline, const Twist2& twist, double widening, doubl
       half_rate_(0.5 * twist.w),
       margin_(outline.radius() + outline.margin() + widening),
       horizon_(horizon),
+      speed_(speed_of(twist)),
+      extent_(outline.reach() + outline.margin() + widening),
+      squared_reach_(squared_reach(horizon)),
       is_sound_(safety_control_cloud::is_sound(twist) && widening >= 0.0 && horizon >= 0.0) {
-  const double speed = speed_of(twist), extent = outline.reach() + outline.margin() + widening;
-  squared_reach_ = square(std::min(farthest, extent + rounding + (speed > 0.0 ? speed * horizon : 0.0)));
-  squared_extent_ = square(extent);
   for (const Side& side : outline.sides()) sides_.push_back(moved_outward(side));
   find_lane(margin_ + rounding);
 }
@@ -92,9 +99,15 @@ void Sweep::find_lane(double margin) {
   }
 }
 
-bool Sweep::may_be_reached(const Point2& point, double squared_distance) const {
+/// [m2] from the origin, of all that may be touched within so much time.
+double Sweep::squared_reach(double time) const {
+  return square(std::min(farthest, extent_ + rounding + (speed_ > 0.0 ? speed_ * time : 0.0)));
+}
+
+bool Sweep::may_be_reached(const Point2& point, double squared_distance, double before) const {
+  if (squared_distance > (before < horizon_ ? squared_reach(before) : squared_reach_)) return false;
   const double lane = lane_of(point);
-  return squared_distance <= squared_reach_ && lane >= nearest_lane_ && lane <= farthest_lane_;
+  return lane >= nearest_lane_ && lane <= farthest_lane_;
 }
 
 std::optional<Moment> Sweep::entry_through(const MovedSide& side, const Point2& point,
@@ -120,12 +133,12 @@ std::optional<Moment> Sweep::entry_around(const Point2& corner, const Point2& po
   return entry(crossing, half_rate_ != 0.0);
 }
 
-double Sweep::time_to_contact(const Point2& point) const {
+double Sweep::time_to_contact(const Point2& point, double before) const {
   const double squared_distance = dot(point, point);
   if (!is_sound_ || std::isnan(squared_distance)) return 0.0;
-  if (squared_distance <= squared_extent_ && outline_.signed_distance(point) < margin_ - outline_.radius() - touch)
+  if (squared_distance <= square(extent_) && outline_.signed_distance(point) < margin_ - outline_.radius() - touch)
     return 0.0;
-  if (!may_be_reached(point, squared_distance)) return infinity;
+  if (!may_be_reached(point, squared_distance, before)) return infinity;
   std::optional<Moment> earliest;
   for (const MovedSide& side : sides_) {
     if (const auto moment = entry_through(side, point, earliest)) earliest = moment;
@@ -135,7 +148,7 @@ double Sweep::time_to_contact(const Point2& point) const {
     const auto moment = entry_around(corner, point);
     if (moment && (!earliest || is_before(*moment, *earliest))) earliest = moment;
   }
-  if (!earliest) return infinity;
+  if (!earliest || about(*earliest, std::abs(half_rate_)) > std::min(before, horizon_)) return infinity;
   const double time = time_of(*earliest, std::abs(half_rate_));
   return time <= horizon_ ? time : infinity;
 }

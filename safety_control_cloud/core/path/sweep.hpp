@@ -22,8 +22,9 @@ class Sweep {
   /// [s] of the twist until a resting point is touched; infinite if it is not within a full turn or the horizon. 0 for
   /// a point that is inside already. One that is on the boundary (within `touch`) is touched only if it moves inward.
   /// A point that is not finite, and every point under a twist that is not sound, is touched at once. Points farther
-  /// than 1000 km are never reached.
-  double time_to_contact(const Point2& point) const;
+  /// than 1000 km are never reached. Who asks for the first of many need not know of contacts after `before` [s]: those
+  /// may read as infinite.
+  double time_to_contact(const Point2& point, double before = std::numeric_limits<double>::infinity()) const;
 
   double margin() const { return margin_; }  ///< [m] from the footprint, with the widening
 
@@ -39,7 +40,8 @@ class Sweep {
     double turned_speed_along;  ///< [m/s] along the side, of the robot's velocity turned left
   };
 
-  bool may_be_reached(const Point2& point, double squared_distance) const;
+  double squared_reach(double time) const;
+  bool may_be_reached(const Point2& point, double squared_distance, double before) const;
   std::optional<Moment> entry_through(const MovedSide& side, const Point2& point,
                                       const std::optional<Moment>& earliest) const;
   std::optional<Moment> entry_around(const Point2& corner, const Point2& point) const;
@@ -53,8 +55,9 @@ class Sweep {
   double half_rate_;                     ///< [rad/s] w / 2
   double margin_;                        ///< [m] from the sides and corners, with the radius of a circle
   double horizon_;                       ///< [s]
+  double speed_;                         ///< [m/s] at most at which a point comes nearer to the origin
+  double extent_;                        ///< [m] from the origin, of the widened footprint
   double squared_reach_;                 ///< [m2] from the origin, of all that may be touched within the horizon
-  double squared_extent_;                ///< [m2] from the origin, of the widened footprint
   double nearest_lane_, farthest_lane_;  ///< of the widened footprint
   std::vector<MovedSide> sides_;
   bool is_sound_;

@@ -58,4 +58,12 @@ double greatest_factor(double time, const Response& response, double share) {
   return std::min({1.0, share, slowing});
 }
 
+double least_time(double factor, const Response& response, double share) {
+  const auto& [delay, reaction, braking] = response;
+  if (factor >= share) return stopping_time(factor, reaction, braking);
+  const double to_stop = stopping_time(share, delay, braking);
+  const double to_slow = to_stop + factor * (reaction - delay - share * braking) + factor * factor * braking;
+  return std::max(to_stop, std::min(to_slow, stopping_time(share, reaction, braking)));
+}
+
 }  // namespace safety_control_cloud

@@ -62,4 +62,7 @@ inline double stopping_time(double factor, double time, double braking) {
 /// <= time; and 0 if not even the latter does, stopping_time(k, delay, braking).
 double greatest_factor(double time, const Response& response, double share = 0.0);
 
+/// [s] from which on, to within rounding, greatest_factor() is no less than `factor`, in [0, 1].
+double least_time(double factor, const Response& response, double share);
+
 }  // namespace safety_control_cloud

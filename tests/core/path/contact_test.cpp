@@ -35,12 +35,33 @@ TEST(Contact, WhatIsNeverTouchedHasNoTime) {
 TEST(Contact, OfASingleReturnNoMoreAreAskedThanAreNeeded) {
   const Obstacles many{std::vector<Point2>(10), {}, 0.0};
   int asked = 0;
-  const auto time_of = [&](const Point2&) { return 5.0 - ++asked; };
+  const auto time_of = [&](const Point2&, double) { return 5.0 - ++asked; };
   EXPECT_EQ(contact(many, 1, 3.5, time_of).time, 3.0);
   EXPECT_EQ(asked, 2);
   asked = 0;
   EXPECT_EQ(contact(many, 2, 3.5, time_of).time, -4.0) << "the second of all";
   EXPECT_EQ(asked, 10);
+}
+
+/// Times: how far ahead the points lie.
+double ahead(const Point2& point, double) { return point.x; }
+
+TEST(Contact, IsTheFirstOfThoseThatCount) {
+  Obstacles obstacles{{{3.0, 0.0}, {1.0, 0.0}, {0.5, 0.0}, {4.0, 0.0}}, {}, 0.0};
+  EXPECT_EQ(contact(obstacles, 1, 0.0, ahead).point, 2u);
+  int asked = 0;
+  obstacles.condition = Condition([&](const Point2& point) { return ++asked, point.x > 0.7; });
+  EXPECT_EQ(contact(obstacles, 1, 0.0, ahead).point, 1u);
+  EXPECT_EQ(asked, 3) << "not whether what lies behind another counts";
+  EXPECT_EQ(contact(obstacles, 2, 0.0, ahead).time, 3.0);
+  EXPECT_EQ(contact(obstacles, 3, 0.0, ahead).time, 4.0);
+  EXPECT_FALSE(contact(obstacles, 4, 0.0, ahead).point);
+}
+
+TEST(Contact, IsNoLaterThanWhatIsKnownAlready) {
+  const Obstacles obstacles{{{3.0, 0.0}, {1.0, 0.0}}, {}, 0.0};
+  EXPECT_EQ(contact(obstacles, 1, 0.0, ahead, {2.0, 7}).point, 1u);
+  EXPECT_EQ(contact(obstacles, 1, 0.0, ahead, {0.5, 7}).point, 7u);
 }
 
 }  // namespace

@@ -64,29 +64,19 @@ TEST(OwnBoxes, HoldTheirLimitsAndNothingThatIsNotFinite) {
   EXPECT_FALSE(is_own({}, 0.0, 0.0, 0.5));
 }
 
-TEST(Contact, IsThatOfTheFirstPoint) {
-  const Contact first = contact({{{}, {}, {}}, {}, 0.0}, {3.0, 1.0, infinity}, 1);
-  EXPECT_EQ(first.time, 1.0);
-  EXPECT_EQ(first.point, 1u);
-}
-
-TEST(Contact, NothingTouchedIsNever) {
-  EXPECT_EQ(contact({{{}}, {}, 0.0}, {infinity}, 1).time, infinity);
-  EXPECT_FALSE(contact({}, {}, 1).point);
-}
-
-TEST(Contact, IsWhenSoManyReturnsHaveBeenTouched) {
-  EXPECT_EQ(contact({{{}, {}, {}}, {}, 0.0}, {3.0, 1.0, 2.0}, 2).time, 2.0);
-  EXPECT_EQ(contact({{{}, {}, {}}, {1, 1, 5}, 0.0}, {3.0, 1.0, 2.0}, 4).time, 2.0);
-  EXPECT_EQ(contact({{{}, {}}, {}, 0.0}, {3.0, 1.0}, 3).time, infinity);
-}
-
-TEST(Contact, WhatIsHopelessIsLookedAtNoFurther) {
-  const Obstacles obstacles{{{3.0, 0.0}, {1.0, 0.0}, {0.5, 0.0}}, {}, 0.0};
-  const auto x = [](const Point2& point) { return point.x; };
-  EXPECT_EQ(contact(obstacles, 1, 0.0, x).point, 2u);
-  EXPECT_EQ(contact(obstacles, 1, 2.0, x).point, 1u);
-  EXPECT_EQ(contact(obstacles, 2, 2.0, x).time, 1.0);
+TEST(Condition, IsFoundOutOnceForEachThatSomebodyAsksFor) {
+  const std::vector<Point2> points{{1.0, 0.0}, {2.0, 0.0}, {3.0, 0.0}};
+  std::vector<double> asked;
+  const Condition beyond([&](const Point2& point) {
+    asked.push_back(point.x);
+    return point.x > 1.5;
+  });
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_FALSE(beyond.holds_for(points, 0));
+    EXPECT_TRUE(beyond.holds_for(points, 2));
+  }
+  EXPECT_EQ(asked, (std::vector<double>{1.0, 3.0}));
+  EXPECT_TRUE(Condition().holds_for(points, 1));
 }
 
 }  // namespace

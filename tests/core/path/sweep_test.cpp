@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "footprints.hpp"
 
 namespace safety_control_cloud {
@@ -101,6 +103,28 @@ TEST(Sweep, ASideThatTurnsOverItsNearestPointTouchesIt) {
 TEST(Sweep, NothingIsAskedBeyondTheHorizon) {
   EXPECT_EQ(Sweep(long_robot(), {2.0, 0.0, 0.0}, 0.0, 0.24).time_to_contact({0.5, 0.0}), infinity);
   EXPECT_EQ(Sweep(long_robot(), {2.0, 0.0, 0.0}, 0.0, 0.26).time_to_contact({0.5, 0.0}), 0.25);
+}
+
+/// Of a random robot, motion and place, many times.
+TEST(Sweep, WhoAsksForTheFirstNeedNotKnowOfLaterContacts) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> upto(-1.0, 1.0);
+  int touched = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double turning = i % 5 == 0 ? 0.0 : 2.0 * upto(random), speed = i % 7 == 0 ? 0.0 : 1.0;
+    const Twist2 twist{speed * upto(random), 0.3 * speed * upto(random), turning};
+    const Sweep sweep(i % 2 == 0 ? long_robot(0.1) : circle(0.2), twist);
+    const Point2 point{1.5 * upto(random), 1.5 * upto(random)};
+    const double time = sweep.time_to_contact(point);
+    touched += time < infinity;
+    for (const double share : {0.5, 0.999999, 1.0, 1.000001, 2.0}) {
+      const double told = sweep.time_to_contact(point, share * time);
+      if (told == time) continue;
+      EXPECT_EQ(told, infinity);
+      EXPECT_LE(share, 1.0) << "a contact before that is known";
+    }
+  }
+  EXPECT_GT(touched, 3000);
 }
 
 TEST(Sweep, DoubtIsContact) {

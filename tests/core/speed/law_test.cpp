@@ -105,6 +105,19 @@ TEST(Law, WhoDrivesFasterEndsJustInTime) {
   EXPECT_NEAR(used, time, 1e-12);
 }
 
+TEST(Law, TheLeastTimeIsThatFromWhichOnTheFactorIsGiven) {
+  for (const Response& response : {Response{0.1, 0.2, 2.0}, Response{0.1, 0.5, 0.3}, Response{0.0, 0.0, 1.0}}) {
+    for (const double share : {0.0, 0.3, 0.7, 1.0, 1.4}) {
+      for (const double factor : {0.05, 0.27, 0.5, 0.9, 1.0}) {
+        const double time = least_time(factor, response, share);
+        EXPECT_GE(greatest_factor(time * (1.0 + 1e-9), response, share), factor * (1.0 - 1e-6)) << share;
+        EXPECT_LT(greatest_factor(time * (1.0 - 1e-6), response, share), factor) << share << ", " << factor;
+      }
+      EXPECT_EQ(greatest_factor(least_time(0.0, response, share) * (1.0 - 1e-9), response, share), 0.0);
+    }
+  }
+}
+
 TEST(Law, WhoCannotStopInTimeBrakesAtOnce) {
   const Response response{0.1, 0.2, 2.0};
   EXPECT_EQ(greatest_factor(0.5, response, 0.7), 0.0);

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+#include <set>
+
 #include "../../../safety_control_cloud/core/speed/straying.hpp"
 #include "../path/footprints.hpp"
 
@@ -51,6 +55,38 @@ TEST(Limit, TheWayOutIsClosedWhileTheRobotStillMovesOtherwise) {
 }
 
 /// Told to stop, it would lose its turning first, and leave the arc; slowed along that it stands in time.
+/// A wish that is tried in many steps: what is in the way of one is asked first at the next.
+TEST(Limit, IsTheSameInWhateverOrderTheObstaclesAre) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> upto(-1.0, 1.0);
+  int slowed = 0;
+  for (int i = 0; i < 300; ++i) {
+    Obstacles obstacles;
+    for (int k = 0; k < 40; ++k) obstacles.points.push_back({0.9 + 0.5 * upto(random), upto(random)});
+    const Twist2 wanted{0.6 + 0.4 * upto(random), 0.0, 1.5 * upto(random)}, other{0.3, 0.0, upto(random)};
+    const std::vector<Twist2> under_way{limited(wanted, 0.3), other};
+    const double factor = limit_before(obstacles, wanted, under_way).factor;
+    slowed += factor > 0.0 && factor < 1.0;
+    for (int k = 0; k < 3; ++k) {
+      std::shuffle(obstacles.points.begin(), obstacles.points.end(), random);
+      EXPECT_EQ(limit_before(obstacles, wanted, under_way).factor, factor);
+    }
+    double least = 1.0;
+    for (const Point2& point : obstacles.points)
+      least = std::min(least, limit_before({{point}, {}, 0.0}, wanted, under_way).factor);
+    EXPECT_LE(factor, least);
+    const std::size_t half = obstacles.points.size() / 2;
+    Obstacles some{{obstacles.points.begin(), obstacles.points.begin() + half}, {}, 0.0};
+    std::set<const Point2*> asked;
+    obstacles.condition = Condition([&](const Point2& point) {
+      EXPECT_TRUE(asked.insert(&point).second) << "once";
+      return &point < obstacles.points.data() + half;
+    });
+    EXPECT_EQ(limit_before(obstacles, wanted, under_way).factor, limit_before(some, wanted, under_way).factor);
+  }
+  EXPECT_GT(slowed, 30);
+}
+
 TEST(Limit, WhoCanBeSlowedAlongHisWayInTimeIsNotToldToStop) {
   const Twist2 wanted{0.44, 0.0, 0.45};
   const auto factor_before = [&](double distance, double slowing) {
