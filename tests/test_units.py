@@ -13,7 +13,7 @@ TESTED_AS = {
     "guard/settings": "guard/guard_settings_test",
     "guard/directions": "guard_control_test and guarded_drives_test: what is open for a robot that is stuck",
     "guard/pose": "guard_test: what may have gone several ways",
-    "guard/facing": "guard/guard_settings_test and perception_test: what asks it",
+    "guard/silhouette": "guard/guard_settings_test and perception_test: what asks it",
     "guard/seen_at": "guard/forgetting_test and out_of_sight_test: what asks it",
     "guard/lost_spots": "guard/known_places_alone_test; and known_places_test: what becomes of a robot by them",
     "guard_sensor": "perception_test: several of them",

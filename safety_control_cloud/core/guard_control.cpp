@@ -11,8 +11,6 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double least_answer_period = 0.01;  // [s]
-
 Settings checked(const Settings& settings) {
   const auto problems = problems_in(settings);
   std::string all;
@@ -27,13 +25,15 @@ GuardControl::GuardControl(const Settings& settings)
     : settings_(checked(settings)),
       guard_(settings_),
       perception_(settings_, guard_),
-      given_(following_of(settings_)) {}
+      given_(following_of(settings_)),
+      answer_period_(safety_control_cloud::answer_period(settings_)) {}
 
 void GuardControl::adopt(const Settings& settings) {
   settings_ = checked(settings);
   guard_ = Guard(settings_);
   perception_.adopt(settings_, guard_);
   given_.follow(following_of(settings_));
+  answer_period_ = safety_control_cloud::answer_period(settings_);
   override_.adopt(settings_);
 }
 
@@ -41,10 +41,6 @@ double GuardControl::until_silent(double now) const {
   const double left = wanted_ ? settings_.command_timeout - (now - wanted_at_) : 0.0;
   const double soonest = perception_.until_silent(now);
   return left > 0.0 ? std::min(soonest, left) : soonest;
-}
-
-double GuardControl::answer_period() const {
-  return std::max(least_answer_period, std::min(1.0 / settings_.publish_rate, perception_.least_period()));
 }
 
 /// A stop counts, however late it comes; what was said before it does not end it, as long as that is young enough.
@@ -69,6 +65,7 @@ std::vector<Known> GuardControl::known_at(const Instant& now) {
   return perception_.known_at(now, given_, guard_, last_.doubts);
 }
 
+/// Until it is told anew by whoever is later: a look may fail to come.
 UnderWay GuardControl::under_way(const Twist2& wanted, const Instant& now) const {
   const double until_told_anew = std::max(1.0 / settings_.publish_rate, settings_.stopping.sensor_period);
   const auto measured = perception_.odometry().twist_at(now.ros);

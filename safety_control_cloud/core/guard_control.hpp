@@ -102,9 +102,8 @@ class GuardControl {
   /// will.
   double until_silent(double now) const;
 
-  /// [s] after which there is to be a new answer, though nobody says anything: data grow older, and the law counts on
-  /// an answer no later than the next look, of what a sensor shows and of what its looks left behind.
-  double answer_period() const;
+  /// As settings.hpp has it.
+  double answer_period() const { return answer_period_; }
 
   const Settings& settings() const { return settings_; }
 
@@ -123,6 +122,7 @@ class GuardControl {
   Guard guard_;
   Perception perception_;
   Given given_;
+  double answer_period_;  ///< [s]
   std::optional<Command> wanted_;
   double wanted_at_ = 0.0;               ///< [s, steady]
   std::optional<Stop> stop_;             ///< if the latest that was obeyed is to stand

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "input/angle.hpp"
+
 namespace safety_control_cloud {
 namespace {
 
@@ -14,7 +16,6 @@ constexpr const char* what_frees_who_strayed = "after memory_time, or after ~res
 constexpr double begins_after = 0.2;  ///< [s] that odometry must go on before it is asked
 constexpr double least_jump = 0.1;    ///< [m], [rad]
 constexpr double soon = 0.05;         ///< [s] in which no base comes to move much otherwise
-constexpr double full_turn = 2.0 * 3.14159265358979323846;
 
 OutOfSightLimits limits_by(const Settings& settings) {
   const FrameCorridor& band = settings.frame_corridor;
@@ -100,7 +101,7 @@ bool GuardMemory::may_have_gone(const Pose2& way, double seconds) const {
 /// Odometry that began anew meanwhile has jumped.
 void GuardMemory::place_recalled(double stamp, const Whereabouts& robot, const Went& went, const Instant& now) {
   Pose2 then = recalled_->robot;  // each process counts its own full turns
-  then.heading = robot.pose.heading + std::remainder(then.heading - robot.pose.heading, full_turn);
+  then.heading = robot.pose.heading + wrapped(then.heading - robot.pose.heading);
   if (may_have_gone(between(then, robot.pose), stamp - recalled_->stamp)) {
     out_of_sight_.recall(in_order_of(sensors_, *recalled_), {then, {}, robot.drift, robot.unexplained}, now.steady);
   } else {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "guard/facing.hpp"
+#include "input/angle.hpp"
 #include "look/outlook.hpp"
 #include "memory/patience.hpp"
 #include "speed/speed.hpp"
@@ -17,7 +17,6 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double half_turn = 3.14159265358979323846;  ///< [rad]
 constexpr double turned_away = 0.2;  ///< [rad] by which a camera may look past its corridor before that follows it
 
 const std::vector<Ring> nothing;
@@ -104,7 +103,7 @@ bool GuardSensor::recall(const std::string& remembered) {
   if (own_.input == InputKind::Scan) return remembered.empty();
   Reader reader(remembered);
   const bool is_turned = reader.word() == facing_word;
-  const double facing = is_turned ? reader.number(-half_turn, half_turn) : 0.0;
+  const double facing = is_turned ? reader.number(-pi, pi) : 0.0;
   const std::string text = is_turned ? reader.rest() : remembered;
   if (!reader.good() || (is_turned && text.empty()) || !sensor_.recall(text)) return false;
   lost_.note_recalled(sensor_.is_recalled());
@@ -122,10 +121,10 @@ void GuardSensor::face(const Reading& reading, const Placing& placing) {
   const Outlook outlook({}, *placement);
   const auto* scan = std::get_if<ScanView>(&reading);
   const Eye eye = scan ? eye_of(outlook, *scan, {}) : eye_of(outlook, FieldOfView{});
-  const Point2 ahead = eye.half_angle >= half_turn ? Point2{1.0, 0.0} : eye.direction;
+  const Point2 ahead = eye.half_angle >= pi ? Point2{1.0, 0.0} : eye.direction;
   if (length_of(ahead) == 0.0) return;  // straight up or down
   const double heading = std::atan2(ahead.y, ahead.x);
-  if (std::abs(std::remainder(heading - facing_, 2.0 * half_turn)) <= turned_away) return;
+  if (std::abs(wrapped(heading - facing_)) <= turned_away) return;
   const double before = std::exchange(facing_, std::abs(heading) <= turned_away ? 0.0 : heading);
   sensor_.turn_corridor(sensor_settings(own_, facing_), facing_ - before);
 }

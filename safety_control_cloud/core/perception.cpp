@@ -85,12 +85,6 @@ double Perception::until_silent(double now) const {
   return soonest;
 }
 
-double Perception::least_period() const {
-  double least = settings_.stopping.sensor_period;
-  for (const GuardSensor& sensor : sensors_) least = std::min(least, sensor.law().sensor_period);
-  return least;
-}
-
 void Perception::see(const Reading& reading, const Origin& origin, const Instant& now, std::size_t sensor,
                      const Given& given) {
   const auto look = sensors_[sensor].see(reading, origin, now, given);
@@ -114,13 +108,13 @@ void Perception::explain_blindness(std::size_t sensor, const Origin& origin, con
   blind.explain_blindness(memory_.resting(*outlook, *robot, now), now.steady);
 }
 
-/// One sensor that is not required, and in doubt, is as good as not there, but for what it has lost; and not for a
-/// change of the settings.
 void Perception::note_deafness(double seconds, const Instant& now, const Given& given) {
   odometry_.note_deafness(now.ros - seconds, now.ros);
   memory_.note_deafness(seconds, given, now);
 }
 
+/// A sensor that is not required, and in doubt, is as good as not there, but for what it has lost. After a change of
+/// the settings each is awaited, required or not.
 std::vector<Known> Perception::known_at(const Instant& now, const Given& given, const Guard& guard,
                                         std::vector<std::string>& doubts) {
   std::vector<Known> all, left;

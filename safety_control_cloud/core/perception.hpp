@@ -60,9 +60,6 @@ class Perception {
   /// [s] until the next sensor or switch counts as silent; infinite if none will.
   double until_silent(double now) const;
 
-  /// [s] between two looks of the sensor that looks most often.
-  double least_period() const;
-
   /// What the latest reading held of the sensor of this name, or else of the first.
   const Sight& sight_of(const std::string& sensor) const;
 

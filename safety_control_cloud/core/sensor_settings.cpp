@@ -2,7 +2,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "guard/facing.hpp"
+#include "guard/silhouette.hpp"
 #include "settings.hpp"
 
 namespace safety_control_cloud {

@@ -12,6 +12,8 @@
 namespace safety_control_cloud {
 namespace {
 
+constexpr double least_answer_period = 0.01;  // [s]
+
 std::vector<std::string> not_finite(const Settings& settings) {
   std::vector<std::string> sentences;
   for_each_parameter(settings, [&]([[maybe_unused]] const char* name, const auto& value) {
@@ -79,10 +81,8 @@ void check_together(const Settings& settings, Problems& problems) {
 /// Its speed follows from the distance, but it is to hear and to be heard often enough.
 std::vector<std::string> doubts_about_guard(const Settings& settings) {
   std::vector<std::string> sentences;
-  double apart = std::min(1.0 / settings.publish_rate, settings.stopping.sensor_period);  // see answer_period()
   const auto listen = [&](const Settings& own, const std::string& name) {
     const double period = own.stopping.sensor_period;
-    apart = std::min(apart, period);
     if (own.source_timeout >= period) return;
     sentences.push_back(words(name, "source_timeout ", measured(own.source_timeout, "s"),
                               " is less than sensor_period ", measured(period, "s"),
@@ -91,7 +91,7 @@ std::vector<std::string> doubts_about_guard(const Settings& settings) {
   if (settings.sensors.empty()) listen(settings, "");
   for (const SensorSettings& sensor : settings.sensors)
     listen(own_settings(settings, sensor), "sensors, " + sensor.name + ": ");
-  const double base_timeout = settings.stopping.base_timeout;
+  const double apart = answer_period(settings), base_timeout = settings.stopping.base_timeout;
   if (apart > base_timeout && base_timeout > 0.0)
     sentences.push_back(words("at this sensor_period and publish_rate ", settings.publish_rate, " commands may be ",
                               measured(apart, "s"), " apart, and after base_timeout ", measured(base_timeout, "s"),
@@ -119,6 +119,13 @@ std::vector<std::string> problems_in(const Settings& settings) {
 Following following_of(const Settings& settings) {
   return {settings.latency + settings.base_reaction, settings.stopping.base_deceleration,
           settings.angular_deceleration};
+}
+
+double answer_period(const Settings& settings) {
+  double period = std::min(1.0 / settings.publish_rate, settings.stopping.sensor_period);
+  for (const SensorSettings& sensor : settings.sensors)
+    period = std::min(period, own_settings(settings, sensor).stopping.sensor_period);
+  return std::max(least_answer_period, period);
 }
 
 std::vector<std::string> doubts_about(const Settings& settings) {

@@ -57,6 +57,10 @@ Law law_of(const Settings& own);
 /// How the base follows what the guard gives.
 Following following_of(const Settings& settings);
 
+/// [s] after which the guard is to give a new answer, though nobody says anything: data grow older, and the law counts
+/// on an answer no later than the next look, of what a sensor shows and of what its looks left behind.
+double answer_period(const Settings& settings);
+
 /// What is fit but unwise: distances in which the robot could not stop; as a guard, looks or commands too far apart.
 std::vector<std::string> doubts_about(const Settings& settings);
 

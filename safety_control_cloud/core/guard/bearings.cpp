@@ -57,16 +57,15 @@ void Bearings::note(const ScanView& scan, const Outlook& outlook, double now) {
 }
 
 bool Bearings::is_blind_at(double bearing) const {
-  return std::any_of(gaps_.begin(), gaps_.end(), [=](const Gap& gap) {
-    return std::abs(std::remainder(bearing - gap.middle, full_turn)) <= gap.half_angle;
-  });
+  return std::any_of(gaps_.begin(), gaps_.end(),
+                     [=](const Gap& gap) { return std::abs(wrapped(bearing - gap.middle)) <= gap.half_angle; });
 }
 
 void Bearings::find_gaps(double now) {
   gaps_.clear();
   const auto is_seen = [=](double measured) { return now - measured < lately; };
   const auto first = std::find_if(measured_.begin(), measured_.end(), is_seen);
-  if (first == measured_.end()) return gaps_.push_back({0.0, 0.5 * full_turn});
+  if (first == measured_.end()) return gaps_.push_back({0.0, pi});
   const auto begin = static_cast<std::size_t>(first - measured_.begin());
   std::size_t missing = 0;
   for (std::size_t i = 1; i <= bins; ++i) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "../input/angle.hpp"
 #include "../input/scan.hpp"
 #include "../look/outlook.hpp"
 #include "../path/obstacles.hpp"
@@ -41,7 +42,7 @@ class Bearings {
 
  private:
   static constexpr std::size_t bins = 720;
-  static constexpr double full_turn = 6.283185307179586, bin = full_turn / static_cast<double>(bins);  ///< [rad]
+  static constexpr double bin = full_turn / static_cast<double>(bins);  ///< [rad]
   static constexpr double never = -std::numeric_limits<double>::infinity();
   static std::size_t bin_of(double bearing);
   /// By what the beam is, and whether it shows the robot itself.

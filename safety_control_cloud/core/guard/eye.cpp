@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../input/angle.hpp"
 #include "../path/escape.hpp"
 #include "new_ground.hpp"
 #include "pose.hpp"
@@ -11,17 +12,16 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int times = 8;
-constexpr double way_ahead = 1.0;         ///< [s] of a twist: its direction counts, not how far it leads
-constexpr double beside_view = 0.7854;    ///< [rad] beyond which a way leads out of the picture
-constexpr double far_ahead = 1.5;         ///< [m] from where on what a gap hides is as wide as a robot
-constexpr double farthest_turn = 1.5708;  ///< [rad] after that a twist leads elsewhere
-constexpr double soon = 0.5;              ///< [s] of a twist, in which it leads to what is beside
-constexpr double nearer = 0.01;           ///< [m] and by so much
-constexpr double seam = 0.1;              ///< [rad] between the last beam of a whole turn and the first
-constexpr double straight = 0.1;          ///< [rad/m] a driver's hand is not steadier
-constexpr double least_away = 0.7071;     ///< cosine: half a right angle to each side
+constexpr double way_ahead = 1.0;           ///< [s] of a twist: its direction counts, not how far it leads
+constexpr double beside_view = 0.25 * pi;   ///< [rad] beyond which a way leads out of the picture
+constexpr double far_ahead = 1.5;           ///< [m] from where on what a gap hides is as wide as a robot
+constexpr double farthest_turn = 0.5 * pi;  ///< [rad] after that a twist leads elsewhere
+constexpr double soon = 0.5;                ///< [s] of a twist, in which it leads to what is beside
+constexpr double nearer = 0.01;             ///< [m] and by so much
+constexpr double seam = 0.1;                ///< [rad] between the last beam of a whole turn and the first
+constexpr double straight = 0.1;            ///< [rad/m] a driver's hand is not steadier
+constexpr double least_away = 0.7071;       ///< cosine: half a right angle to each side
 
 /// `ahead`: the axis in the sensor's own frame.
 Eye towards(const Outlook& outlook, const Point& ahead, double half_angle) {
@@ -84,7 +84,7 @@ Eye eye_of(const Outlook& outlook, const ScanView& scan, const Bearings& bearing
   const auto along = [](double bearing) {
     return Point{static_cast<float>(std::cos(bearing)), static_cast<float>(std::sin(bearing)), 0.0f};
   };
-  const bool all_around = scan.last - scan.first > 2.0 * pi - seam;
+  const bool all_around = scan.last - scan.first > full_turn - seam;
   Eye eye = towards(outlook, along(all_around ? 0.0 : 0.5 * (scan.first + scan.last)),
                     all_around ? pi : 0.5 * (scan.last - scan.first));
   for (const Bearings::Gap& gap : bearings.gaps())

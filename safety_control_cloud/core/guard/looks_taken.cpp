@@ -2,7 +2,6 @@
 #include "looks_taken.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace safety_control_cloud {

@@ -3,10 +3,11 @@
 
 #include <cmath>
 
+#include "../input/angle.hpp"
+
 namespace safety_control_cloud {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int around_circle = 24;
 constexpr double nearest = 2e-3;  ///< [m] from where the footprint is now
 
@@ -18,7 +19,7 @@ NewGround::NewGround(const Outline& outline) : outline_(outline) {
     boundary_.push_back(0.5 * (side.segment.from + side.segment.to));
   }
   for (int i = 0; outline.sides().empty() && i < around_circle; ++i) {
-    const double angle = 2.0 * pi * i / around_circle;
+    const double angle = full_turn * i / around_circle;
     boundary_.push_back({outline.radius() * std::cos(angle), outline.radius() * std::sin(angle)});
   }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "../input/angle.hpp"
 #include "../text/words.hpp"
 
 namespace safety_control_cloud {
@@ -20,8 +21,6 @@ constexpr double noise = 0.01;          ///< [m], [rad] of a pose
 constexpr double told_for = 1.0;        ///< [s] that a jump is told of
 
 bool is_finite(const Pose2& pose) { return is_finite(pose.place) && std::isfinite(pose.heading); }
-
-double wrapped(double angle) { return std::remainder(angle, 2.0 * 3.14159265358979323846); }
 
 }  // namespace
 

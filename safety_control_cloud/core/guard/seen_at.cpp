@@ -7,17 +7,18 @@
 #include <limits>
 #include <utility>
 
+#include "../input/angle.hpp"
+
 namespace safety_control_cloud {
 namespace {
 
-constexpr double nearest = 0.05;                       ///< [m] before a camera: nearer, directions mean nothing
-constexpr double behind = 0.05, behind_rate = 0.03;    ///< [m] and share of the distance: more than noise
-constexpr double turn = 2.0 * 3.14159265358979323846;  ///< [rad]
-constexpr double in_plane = 0.01;                      ///< [m] beside a scan's plane that it still meets
-constexpr int attempts = 3;                            ///< to find a pixel through a bent lens
-constexpr std::size_t border_steps = 2;                ///< of those that are looked at, see in_picture
-constexpr long deepest_border = 8;                     ///< of the picture's rows, that it leaves empty at most
-constexpr double close_enough = 1.5;                   ///< [px]
+constexpr double nearest = 0.05;                     ///< [m] before a camera: nearer, directions mean nothing
+constexpr double behind = 0.05, behind_rate = 0.03;  ///< [m] and share of the distance: more than noise
+constexpr double in_plane = 0.01;                    ///< [m] beside a scan's plane that it still meets
+constexpr int attempts = 3;                          ///< to find a pixel through a bent lens
+constexpr std::size_t border_steps = 2;              ///< of those that are looked at, see in_picture
+constexpr long deepest_border = 8;                   ///< of the picture's rows, that it leaves empty at most
+constexpr double close_enough = 1.5;                 ///< [px]
 
 /// Of several pixels around a direction, one after the other.
 class Around {
@@ -82,8 +83,8 @@ Point scaled(const Point& point, double by) {
 
 /// [rad] from the first bearing on, in whichever turn that lies.
 double bearing_in(const ScanView& scan, const Point& place) {
-  const double beyond = std::fmod(std::atan2(place.y, place.x) - scan.first, turn);
-  return scan.first + (beyond < 0.0 ? beyond + turn : beyond);
+  const double beyond = std::fmod(std::atan2(place.y, place.x) - scan.first, full_turn);
+  return scan.first + (beyond < 0.0 ? beyond + full_turn : beyond);
 }
 
 }  // namespace
@@ -184,12 +185,12 @@ AtPlace SeenAt::in_scan(const Point& place, double off, double aside) const {
   if (std::abs(place.z) > in_plane || pixels_.width() < 2) return AtPlace::NotThere;
   if (look_.bearings && look_.bearings->is_blind_at(bearing)) return AtPlace::NotThere;  // nobody looks
   const auto last = static_cast<std::ptrdiff_t>(pixels_.width()) - 1;
-  const double beams_each = static_cast<double>(last) / (scan_->last - scan_->first);   // [1/rad]
-  const auto all_around = static_cast<std::ptrdiff_t>(std::lround(turn * beams_each));  // beams that a turn takes
+  const double beams_each = static_cast<double>(last) / (scan_->last - scan_->first);        // [1/rad]
+  const auto all_around = static_cast<std::ptrdiff_t>(std::lround(full_turn * beams_each));  // beams that a turn takes
   const bool has_seam = all_around > last + 1;  // or else the first beam follows the last
   if (has_seam && (bearing - aside < scan_->first || bearing + aside > scan_->last)) return AtPlace::NotThere;
   const auto at = static_cast<std::ptrdiff_t>(std::lround((bearing - scan_->first) * beams_each));
-  const auto most = static_cast<std::ptrdiff_t>(std::ceil(1.0 + std::min(aside, 0.5 * turn) * beams_each));
+  const auto most = static_cast<std::ptrdiff_t>(std::ceil(1.0 + std::min(aside, pi) * beams_each));
   if (distance + off > scan_->range_max) return AtPlace::NotThere;  // where it sees nothing there may be anything
   const bool may_be_too_near = distance - off < scan_->range_min;   // some say +Inf of that
   Around around(distance, off);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "settings.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "../text/choice.hpp"

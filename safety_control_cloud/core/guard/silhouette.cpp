@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "facing.hpp"
+#include "silhouette.hpp"
 
 #include <algorithm>
 

@@ -5,13 +5,14 @@
 #include <cmath>
 #include <set>
 
+#include "../input/angle.hpp"
 #include "../text/choice.hpp"
 #include "../text/words.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
-constexpr double eighth = 0.78539816339744831;  ///< [rad] of a turn
+constexpr double eighth = full_turn / 8.0;  ///< [rad] of a turn
 constexpr std::array<const char*, 8> edges = {"front", "front_left", "left",  "rear_left",
                                               "rear",  "rear_right", "right", "front_right"};
 

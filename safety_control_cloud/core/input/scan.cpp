@@ -8,11 +8,11 @@
 #include <string>
 
 #include "../text/words.hpp"
+#include "angle.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
-constexpr double full_turn = 6.283185307179586;
 constexpr double least_step = 1e-6;  ///< [rad] finer than any; a number that is hardly one is none
 constexpr double off_by = 1.5;       ///< increments: drivers disagree on whether angle_max is the last beam or the next
 constexpr double rounding = 1e-5;    ///< [rad] a whole turn is more than itself as a float32, and as 6.28319

@@ -2,7 +2,6 @@
 #include "things_memory.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>

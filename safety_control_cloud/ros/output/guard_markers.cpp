@@ -10,7 +10,6 @@ namespace {
 
 using visualization_msgs::Marker;
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double line_width = 0.01, sphere_diameter = 0.06, text_height = 0.08, above = 0.4;  // [m]
 constexpr int around_circle = 36, outlines = 6;
 
@@ -18,7 +17,7 @@ std::vector<Point2> outline_of(const Footprint& footprint) {
   if (!footprint.polygon.empty()) return footprint.polygon;
   std::vector<Point2> points;
   for (int i = 0; i < around_circle; ++i) {
-    const double angle = 2.0 * pi * i / around_circle, radius = footprint.radius + footprint.margin;
+    const double angle = full_turn * i / around_circle, radius = footprint.radius + footprint.margin;
     points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
   }
   return points;

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <vector>
 
+#include "../../../safety_control_cloud/core/input/angle.hpp"
 #include "guarded_robot.hpp"
 
 namespace safety_control_cloud {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// In base_frame, turned by so much around it.
 inline Placing turned_xtion(double heading) {

@@ -5,12 +5,12 @@
 #include <limits>
 #include <vector>
 
+#include "../../../safety_control_cloud/core/input/angle.hpp"
 #include "../../../safety_control_cloud/core/path/outline.hpp"
 
 namespace safety_control_cloud {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double pi = 3.14159265358979323846;
 
 inline Outline circle(double radius, double margin = 0.0) { return Outline({{}, radius, margin}); }
 
