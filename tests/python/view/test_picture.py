@@ -11,7 +11,8 @@ from safety_control_cloud import core, optional
 from safety_control_cloud.optional import MissingPackages
 from safety_control_cloud.view import open as view_open
 from safety_control_cloud.view.memory import spots_in
-from safety_control_cloud.view.moment import Depth, Pinhole, Points
+from safety_control_cloud.pinhole import Pinhole
+from safety_control_cloud.view.moment import Depth, Points
 from safety_control_cloud.view.options import make, recorded_in, writable
 from safety_control_cloud.view.picture import camera_of, depth_of, picture_of, thinned
 

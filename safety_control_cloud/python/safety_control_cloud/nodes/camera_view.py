@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import time
-from dataclasses import asdict
 from typing import Optional
 
 import rospy
 from sensor_msgs.msg import CameraInfo, Image, PointCloud2
 
+from safety_control_cloud.pinhole import Pinhole
 from safety_control_cloud.replay.eyes import pinhole_of
 from safety_control_cloud.replay.topics import OWN
 from safety_control_cloud.replay.wire import Points, WireError, image_in, points_in
 from safety_control_cloud.replay.xyz import metres_of, xyz_of
-from safety_control_cloud.view.moment import Picture, Pinhole
+from safety_control_cloud.view.moment import Picture
 from safety_control_cloud.view.picture import depth_of, picture_of, thinned
 
 BUFFER = 1 << 24  # [byte] rospy reads a large message in many pieces otherwise
@@ -57,7 +57,7 @@ class CameraView:
             self._kept_at, self._raw = time.monotonic(), message._buff
 
     def _on_camera(self, info: CameraInfo) -> None:
-        self._camera = Pinhole(**asdict(pinhole_of(info)))
+        self._camera = pinhole_of(info)
 
 
 def _raw_of(kind: type) -> type:

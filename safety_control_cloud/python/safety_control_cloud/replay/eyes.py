@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Deque, Optional, Tuple, Union
 
 from safety_control_cloud import core
+from safety_control_cloud.pinhole import Pinhole
 from safety_control_cloud.replay.bags import BagError, Bags, Recorded
 from safety_control_cloud.replay.compressed import image_of
 from safety_control_cloud.replay.topics import CAMERA, COMPRESSED, Source
@@ -27,16 +28,6 @@ class Sighting:
     messages: Tuple[Recorded, ...]  # what it was made of
     content: Any  # wire.Points, wire.Image, or guard.scans.Scan
     camera: Optional[Pinhole] = None  # of depths
-
-
-@dataclass(frozen=True)
-class Pinhole:
-    """[px]"""
-
-    fx: float
-    fy: float
-    cx: float
-    cy: float
 
 
 class CloudEye:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from contextlib import contextmanager
-from dataclasses import asdict
 from pathlib import Path
 from typing import Callable, Dict, Iterator, Optional, Sequence
 
@@ -15,7 +14,7 @@ from safety_control_cloud.replay.silence import Silence, silences
 from safety_control_cloud.replay.wire import Image
 from safety_control_cloud.replay.xyz import metres_of, points_of
 from safety_control_cloud.view.memory import spots_in
-from safety_control_cloud.view.moment import Moment, Picture, Pinhole
+from safety_control_cloud.view.moment import Moment, Picture
 from safety_control_cloud.view.picture import depth_of, picture_of
 
 Show = Callable[[RecordedCloud, Answer, Sequence[str]], None]
@@ -61,6 +60,6 @@ def shown_of(sighting: Sighting, before: Optional[Picture]) -> Optional[Picture]
     if sighting.cloud.unreadable is not None:
         return None
     if isinstance(sighting.content, Image) and sighting.camera:
-        return depth_of(metres_of(sighting.content), Pinhole(**asdict(sighting.camera)))
+        return depth_of(metres_of(sighting.content), sighting.camera)
     points = points_of(sighting)
     return None if points is None else picture_of(points, before)

@@ -6,7 +6,8 @@ from typing import Optional
 
 import numpy as np
 
-from safety_control_cloud.replay.eyes import Pinhole, Sighting
+from safety_control_cloud.pinhole import Pinhole
+from safety_control_cloud.replay.eyes import Sighting
 from safety_control_cloud.replay.wire import Image, Points
 
 FLOATS = {7: "f4", 8: "f8"}  # by sensor_msgs/PointField's codes

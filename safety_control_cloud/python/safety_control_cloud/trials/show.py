@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..pinhole import Pinhole
 from ..view.memory import spots_in
-from ..view.moment import Depth, Moment, Pinhole
+from ..view.moment import Depth, Moment
 from ..view.picture import depth_of
 from .deciders import Decider, decider_for
 from .episode import episode

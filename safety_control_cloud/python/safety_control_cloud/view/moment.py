@@ -7,18 +7,10 @@ from typing import TYPE_CHECKING, Optional, Tuple, Union
 
 import numpy as np
 
+from safety_control_cloud.pinhole import Pinhole
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray  # not in the numpy of Ubuntu 20.04
-
-
-@dataclass(frozen=True)
-class Pinhole:
-    """[px]"""
-
-    fx: float
-    fy: float
-    cx: float
-    cy: float
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Optional
 
 import numpy as np
 
-from safety_control_cloud.view.moment import Depth, Picture, Pinhole, Points
+from safety_control_cloud.pinhole import Pinhole
+from safety_control_cloud.view.moment import Depth, Picture, Points
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
