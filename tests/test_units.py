@@ -10,6 +10,7 @@ TESTED_AS = {
     "look/kernel/scan_simd": "look/scan_test and depth_test, in every instruction set, with Highway and without",
     "memory/kernel/lines_simd": "memory/lines_test and connected_test, in every instruction set",
     "memory/kernel/points_simd": "memory/points_test, in every instruction set",
+    "guard/caps": "guard/zone_caps_test, horizon_test and masked_lasers_test: each of the caps",
     "guard/settings": "guard/guard_settings_test",
     "guard/directions": "guard_control_test and guarded_drives_test: what is open for a robot that is stuck",
     "guard/pose": "guard_test: what may have gone several ways",

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "guard/given.hpp"
+#include "guard/command.hpp"
 #include "guard/guard.hpp"
 #include "guard/override.hpp"
 #include "perception.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "input/angle.hpp"
+#include "guard/recalled_places.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -14,56 +14,25 @@ constexpr const char* what_frees =
     "a sensor sees past that, or after memory_time, or after ~reset, when somebody has looked";
 constexpr const char* what_frees_who_strayed = "after memory_time, or after ~reset, when somebody has looked";
 constexpr double begins_after = 0.2;  ///< [s] that odometry must go on before it is asked
-constexpr double least_jump = 0.1;    ///< [m], [rad]
 constexpr double soon = 0.05;         ///< [s] in which no base comes to move much otherwise
-
-OutOfSightLimits limits_by(const Settings& settings) {
-  const FrameCorridor& band = settings.frame_corridor;
-  return {{band.bottom, band.top, settings.memory_distance, own_boxes_of(settings)},
-          settings.memory_time,
-          settings.obstacle_speed};
-}
-
-/// A sensor in a text: what a camera showed is no scan's, whatever that is named by now.
-std::string written_name(const SensorSettings& sensor) {
-  return (sensor.type == InputKind::Scan ? "scan/" : "") + sensor.name;
-}
-
-/// Of a sensor that has another name by now, a camera takes them over: a scan would forget what lies beside its plane.
-std::vector<KeptPlace> in_order_of(const std::vector<SensorSettings>& sensors, const KeptPlaces& kept) {
-  const auto first = [&](const auto& fits) {
-    return static_cast<std::size_t>(std::find_if(sensors.begin(), sensors.end(), fits) - sensors.begin());
-  };
-  const std::size_t camera = first([](const SensorSettings& one) { return one.type != InputKind::Scan; });
-  std::vector<std::size_t> by_now;
-  for (const std::string& name : kept.sensors) {
-    const std::size_t same = first([&](const SensorSettings& one) { return written_name(one) == name; });
-    by_now.push_back(same < sensors.size() ? same : camera < sensors.size() ? camera : 0);
-  }
-  std::vector<KeptPlace> places = kept.all;
-  for (KeptPlace& place : places) place.sensor = by_now[place.sensor];
-  return places;
-}
 
 }  // namespace
 
-GuardMemory::GuardMemory(const Settings& settings)
-    : out_of_sight_(limits_by(settings)),
-      sensors_(sensors_of(settings)),
-      odometry_drift_(settings.odometry_drift),
-      margin_(settings.margin),
-      time_(settings.memory_time),
-      fastest_(settings.max_speed),
-      fastest_turn_(settings.max_turn) {}
+GuardMemory::Limits::Limits(const Settings& settings)
+    : places{{settings.frame_corridor.bottom, settings.frame_corridor.top, settings.memory_distance,
+              own_boxes_of(settings)},
+             settings.memory_time,
+             settings.obstacle_speed},
+      sensors(sensors_of(settings)),
+      odometry_drift(settings.odometry_drift),
+      margin(settings.margin),
+      fastest{settings.max_speed, 0.0, settings.max_turn} {}
+
+GuardMemory::GuardMemory(const Settings& settings) : limits_(settings), out_of_sight_(limits_.places) {}
 
 void GuardMemory::adopt(const Settings& settings) {
-  out_of_sight_.limit(limits_by(settings));
-  sensors_ = sensors_of(settings);
-  odometry_drift_ = settings.odometry_drift;
-  margin_ = settings.margin;
-  time_ = settings.memory_time;
-  fastest_ = settings.max_speed;
-  fastest_turn_ = settings.max_turn;
+  limits_ = Limits(settings);
+  out_of_sight_.limit(limits_.places);
 }
 
 void GuardMemory::forget() {
@@ -80,9 +49,8 @@ std::string GuardMemory::remembered() const {
   if (!by_odometry_ || !latest_) return {};
   const Whereabouts& robot = latest_->robot;
   const Whereabouts there{robot.pose, {}, robot.drift, robot.unexplained};
-  std::vector<std::string> names;
-  for (const SensorSettings& sensor : sensors_) names.push_back(written_name(sensor));
-  return to_text({latest_->stamp, robot.pose, out_of_sight_.placed(there, latest_->at), names});
+  return to_text(
+      {latest_->stamp, robot.pose, out_of_sight_.placed(there, latest_->at), written_names(limits_.sensors)});
 }
 
 bool GuardMemory::recall(const std::string& remembered) {
@@ -92,18 +60,11 @@ bool GuardMemory::recall(const std::string& remembered) {
   return true;
 }
 
-bool GuardMemory::may_have_gone(const Pose2& way, double seconds) const {
-  const double time = std::max(0.0, seconds);
-  return length_of(way.place) <= fastest_ * time + least_jump &&
-         std::abs(way.heading) <= fastest_turn_ * time + least_jump;
-}
-
 /// Odometry that began anew meanwhile has jumped.
 void GuardMemory::place_recalled(double stamp, const Whereabouts& robot, const Went& went, const Instant& now) {
-  Pose2 then = recalled_->robot;  // each process counts its own full turns
-  then.heading = robot.pose.heading + wrapped(then.heading - robot.pose.heading);
-  if (may_have_gone(between(then, robot.pose), stamp - recalled_->stamp)) {
-    out_of_sight_.recall(in_order_of(sensors_, *recalled_), {then, {}, robot.drift, robot.unexplained}, now.steady);
+  if (const auto then = seen_from(*recalled_, robot.pose, stamp, limits_.fastest)) {
+    const auto places = shown_by(limits_.sensors, *recalled_);
+    out_of_sight_.recall(places, {*then, {}, robot.drift, robot.unexplained}, now.steady);
   } else {
     jumped_ = looks_since(went, now);
   }
@@ -144,7 +105,7 @@ void GuardMemory::note_deafness(double seconds, const Given& given, const Instan
 
 /// What was remembered then.
 bool GuardMemory::has_strayed(const Instant& now) const {
-  return !by_odometry_ && strayed_ && now.steady - *strayed_ <= time_;
+  return !by_odometry_ && strayed_ && now.steady - *strayed_ <= limits_.places.time;
 }
 
 std::optional<Pose2> GuardMemory::note(std::size_t sensor, const Look& look, const Went& went, const Instant& now) {
@@ -152,7 +113,7 @@ std::optional<Pose2> GuardMemory::note(std::size_t sensor, const Look& look, con
   const double came_after = now.ros - look.stamp;  // [s]
   const auto robot = whereabouts_at(came_after, went, now);
   if (robot) {
-    if (recalled_ && by_odometry_ && !are_over(recalled_->stamp, now.ros, time_))
+    if (recalled_ && by_odometry_ && !are_over(recalled_->stamp, now.ros, limits_.places.time))
       place_recalled(look.stamp, *robot, went, now);
     const auto as_told = went.given.whereabouts_at(now.steady - came_after);
     latest_ = Latest{look.stamp, now.steady, *robot, as_told};
@@ -200,7 +161,8 @@ std::optional<Whereabouts> GuardMemory::whereabouts_at(double age, const Went& w
 std::optional<Whereabouts> GuardMemory::by_odometry_at(double stamp, const Went& went, const Instant& now) const {
   const auto pose = by_odometry_ ? went.odometry.pose_at(stamp) : std::nullopt;
   if (!pose) return std::nullopt;
-  return Whereabouts{*pose, {}, odometry_drift_, went.odometry.unexplained_until(stamp), foretold_at(stamp, went, now)};
+  return Whereabouts{
+      *pose, {}, limits_.odometry_drift, went.odometry.unexplained_until(stamp), foretold_at(stamp, went, now)};
 }
 
 /// Beyond what odometry has told so far it goes on by its latest twist, and the base by all that it was told meanwhile:
@@ -227,7 +189,7 @@ std::vector<KnownPlace> GuardMemory::resting(const Outlook& sensor, const Wherea
 /// Not every sensor that is required has looked since odometry goes on. What was to be placed then is forgotten by and
 /// by.
 bool GuardMemory::waits_for(const std::vector<GuardSensor>& sensors, const Instant& now) const {
-  return jumped_ && !(now.ros - *jumped_ > time_) &&
+  return jumped_ && !(now.ros - *jumped_ > limits_.places.time) &&
          std::any_of(sensors.begin(), sensors.end(), [this](const GuardSensor& sensor) {
            return sensor.is_required() && !sensor.has_looked_since(*jumped_);
          });
@@ -251,7 +213,7 @@ std::optional<Doubt> GuardMemory::doubt_at(const Instant& now, const Went& went,
 
 std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, const std::vector<GuardSensor>& sensors,
                                          const std::vector<bool>& shows, const Guard& guard) {
-  if (recalled_ && (are_over(recalled_->stamp, now.ros, time_) || !remembers())) recalled_.reset();
+  if (recalled_ && (are_over(recalled_->stamp, now.ros, limits_.places.time) || !remembers())) recalled_.reset();
   Known known;
   known.sensor = "memory";
   known.doubt = doubt_at(now, went, sensors);
@@ -264,36 +226,44 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
   known.law.min_points = 1;
   known.hint = what_frees;
   known.ways = {Pose2{}};
-  const double reach = guard.reach(0.0, known.law);
   rings_.clear();
-  std::vector<Known> all;
-  const auto add = [&](std::vector<Ring> rings) {
-    // What the margin is kept for: half of it for where things are, the rest for what the robot does. What decides is
-    // the nearest of many returns, not one of min_points as in a picture, and lies nearer than the thing by the noise.
-    for (Ring& ring : rings)
-      ring.obstacles.widening = std::max(-known.law.noise, ring.obstacles.widening - 0.5 * margin_);
-    rings_.push_back(std::move(rings));
-    known.rings = &rings_.back();
-    all.push_back(known);
-  };
-  if (by_odometry_) {
-    add(out_of_sight_.rings(robot, reach, now.steady, shows));
-    return all;
-  }
-  const bool was_placed = told_since_ && now.steady - *told_since_ <= time_;  // well, by odometry: all of it counts
-  known.is_reckoned = !was_placed;
+  const Around around{robot, guard.reach(0.0, known.law), now.steady};
+  return by_odometry_ ? placed_by_odometry(known, around, shows) : placed_as_told(known, around, sensors, shows);
+}
+
+std::vector<Known> GuardMemory::placed_by_odometry(const Known& like, const Around& around,
+                                                   const std::vector<bool>& shows) {
+  return {with(out_of_sight_.rings(around.robot, around.reach, around.now, shows), like)};
+}
+
+std::vector<Known> GuardMemory::placed_as_told(Known like, const Around& around,
+                                               const std::vector<GuardSensor>& sensors,
+                                               const std::vector<bool>& shows) {
+  const bool was_placed = told_since_ && around.now - *told_since_ <= limits_.places.time;  // well: all of it counts
   const auto is_missed = [&](std::size_t sensor, const Point2& place, const Heights& heights, double off) {
     return shows[sensor] && !was_placed && sensors[sensor].misses(place, heights, off);
   };
-  auto of_each = out_of_sight_.rings_of_each(robot, reach, now.steady, shows, is_missed);
+  auto of_each = out_of_sight_.rings_of_each(around.robot, around.reach, around.now, shows, is_missed);
+  like.is_reckoned = !was_placed;
+  std::vector<Known> all;
   for (std::size_t i = 0; i < sensors.size(); ++i) {
-    known.seen_by = shows[i] ? sensors[i].eye() : std::nullopt;
-    known.is_missed = false;
-    add(std::move(of_each[i].all));
-    known.is_missed = true;
-    add(std::move(of_each[i].asked_for));
+    like.seen_by = shows[i] ? sensors[i].eye() : std::nullopt;
+    like.is_missed = false;
+    all.push_back(with(std::move(of_each[i].all), like));
+    like.is_missed = true;
+    all.push_back(with(std::move(of_each[i].asked_for), like));
   }
   return all;
+}
+
+/// What the margin is kept for: half of it for where things are, the rest for what the robot does. What decides is the
+/// nearest of many returns, not one of min_points as in a picture, and lies nearer than the thing by the noise.
+Known GuardMemory::with(std::vector<Ring> rings, Known like) {
+  for (Ring& ring : rings)
+    ring.obstacles.widening = std::max(-like.law.noise, ring.obstacles.widening - 0.5 * limits_.margin);
+  rings_.push_back(std::move(rings));
+  like.rings = &rings_.back();
+  return like;
 }
 
 }  // namespace safety_control_cloud

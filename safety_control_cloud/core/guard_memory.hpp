@@ -67,7 +67,23 @@ class GuardMemory {
                               const std::vector<bool>& shows, const Guard& guard);
 
  private:
-  bool may_have_gone(const Pose2& way, double seconds) const;
+  /// By the settings.
+  struct Limits {
+    explicit Limits(const Settings& settings);
+    OutOfSightLimits places;
+    Sensors sensors;
+    double odometry_drift;  ///< [m/m], [rad/rad]
+    double margin;          ///< [m]
+    Twist2 fastest;         ///< of the robot
+  };
+
+  /// Of which of the places somebody asks.
+  struct Around {
+    Whereabouts robot;
+    double reach;  ///< [m]
+    double now;    ///< [s, steady]
+  };
+
   void place_recalled(double stamp, const Whereabouts& robot, const Went& went, const Instant& now);
   static double looks_since(const Went& went, const Instant& now);
   void go_on_as_told(const Instant& now);
@@ -77,6 +93,10 @@ class GuardMemory {
   std::optional<Whereabouts> whereabouts_at(double age, const Went& went, const Instant& now) const;
   bool waits_for(const std::vector<GuardSensor>& sensors, const Instant& now) const;
   bool has_strayed(const Instant& now) const;
+  std::vector<Known> placed_by_odometry(const Known& like, const Around& around, const std::vector<bool>& shows);
+  std::vector<Known> placed_as_told(Known like, const Around& around, const std::vector<GuardSensor>& sensors,
+                                    const std::vector<bool>& shows);
+  Known with(std::vector<Ring> rings, Known like);
   std::optional<Doubt> doubt_at(const Instant& now, const Went& went, const std::vector<GuardSensor>& sensors) const;
 
   struct Latest {
@@ -85,12 +105,8 @@ class GuardMemory {
     Whereabouts as_told;  ///< the same by what the base was told
   };
 
+  Limits limits_;
   OutOfSight out_of_sight_;
-  std::vector<SensorSettings> sensors_;
-  double odometry_drift_;               ///< [m/m], [rad/rad]
-  double margin_;                       ///< [m]
-  double time_;                         ///< [s] for which anything is kept
-  double fastest_, fastest_turn_;       ///< [m/s], [rad/s] of the robot
   std::list<std::vector<Ring>> rings_;  ///< as they were asked for last: of all sensors, or of each
   bool by_odometry_ = false;            ///< it is known where that is; or else by what the base was told
   std::size_t breaks_ = 0;              ///< of the odometry, after which that began

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "command.hpp"
+
 namespace safety_control_cloud {
 
 std::uint8_t open_directions(const Guard& guard, const GuardSettings& settings, const UnderWay& under_way,
