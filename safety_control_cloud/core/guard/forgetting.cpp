@@ -8,6 +8,7 @@ namespace safety_control_cloud {
 namespace {
 
 constexpr double absent_for = 1.25;     ///< [s] without a return where there would be one
+constexpr double shows_for = 1.0;       ///< [s] what a look showed, until the same sensor looks again
 constexpr double grown_old = 0.5;       ///< of its time
 constexpr double least_range = 0.01;    ///< [m]
 constexpr double thinnest = 0.015;      ///< [m] what is no wider may stand between two places that are asked about
@@ -62,8 +63,17 @@ bool Forgetting::has_gone(RememberedPlace& place) {
 /// The sensor that looks did, and no other since.
 bool Forgetting::showed_it(const RememberedPlace& place) const { return looks_.find(place.look)->sensor == sensor_; }
 
-/// A scan is, of what it showed: what a camera saw a few millimetres beside its plane it looks past.
-bool Forgetting::is_asked_of(const RememberedPlace& place) const { return !is_scan_ || showed_it(place); }
+/// In the latest look of that one, which has not fallen silent.
+bool Forgetting::is_shown_by_another(const RememberedPlace& place) const {
+  return !showed_it(place) && looks_.is_latest_of_its_sensor(place.look) &&
+         now_ - looks_.find(place.look)->at <= shows_for;
+}
+
+/// A scan is, of what it showed: what a camera saw a few millimetres beside its plane it looks past. Who looked past it
+/// before, and another showed it again, is not: glass, or what is black, or whoever is not quite where TF has him.
+bool Forgetting::is_asked_of(const RememberedPlace& place) const {
+  return showed_it(place) || (!is_scan_ && !place.do_not_see.has(sensor_));
+}
 
 /// [m] A camera is blind by depth: at the side of a wide picture, what lies as near is farther away than that.
 double Forgetting::measured_from(const Point& there) const {
@@ -126,6 +136,10 @@ bool Forgetting::is_proven(RememberedPlace& place, AtPlace seen, bool is_measure
     return false;
   }
   if (seen == AtPlace::Shown) return true;
+  if (is_shown_by_another(place)) {  // its next look tells which of both is right
+    place.looked_past.add(sensor_);
+    return false;
+  }
   if (seen == AtPlace::Behind) ++place.away;
   if (!place.absent) place.absent = RememberedPlace::Absent{now_, sensor_};
   const bool is_long = place.absent->sensor == sensor_ && now_ - place.absent->since >= absent_for;

@@ -29,6 +29,7 @@ class Forgetting {
   };
 
   bool showed_it(const RememberedPlace& place) const;
+  bool is_shown_by_another(const RememberedPlace& place) const;
   bool is_asked_of(const RememberedPlace& place) const;
   double measured_from(const Point& there) const;
   Point from_camera(const Point2& here, float height) const;

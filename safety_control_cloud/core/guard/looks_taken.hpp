@@ -45,6 +45,9 @@ class LooksTaken {
   /// How many are not forgotten: the latest.
   std::size_t size() const { return taken_.size(); }
 
+  /// Of how many sensors.
+  std::size_t sensors() const { return latest_of_.size(); }
+
   /// None: it is forgotten.
   const Taken* find(std::uint64_t look) const;
 

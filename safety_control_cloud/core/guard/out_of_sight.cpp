@@ -117,25 +117,32 @@ void OutOfSight::keep(const NearReturn& seen, double now, double off, const Heig
     // what is back where a look saw past it has been elsewhere
     if (found->second.away == 0) kept.first_seen = found->second.first_seen;
     kept.looks = looks_of(found->second);
+    note_who_does_not_see(kept, found->second);
     const Place before = std::exchange(found->second, kept);
     if (before.drifted > well_placed && places_.size() < most) places_.insert_or_assign(key | elsewhere, before);
     return;
   }
-  kept.looks = looks_beside(seen.place, seen.height);
+  take_over_from_beside(kept);
   places_.emplace(key, kept);
 }
 
+/// Who looked past it, or past what is right beside it, is wrong, if it is shown again; but for the one that shows it.
+void OutOfSight::note_who_does_not_see(Place& shown, const Place& before) const {
+  shown.do_not_see = shown.do_not_see | before.do_not_see | before.looked_past;
+  shown.do_not_see.remove(looks_.find(shown.look)->sensor);
+}
+
 /// A thin thing before a noisy sensor is seen in another cell by each look.
-std::uint8_t OutOfSight::looks_beside(const Point2& place, double height) const {
-  std::uint8_t looks = 1;
+void OutOfSight::take_over_from_beside(Place& shown) const {
   for (const double ahead : {0.0, 1.0, -1.0, 2.0, -2.0}) {
     for (const double left : {0.0, 1.0, -1.0, 2.0, -2.0}) {
-      const auto beside = places_.find(key_of(place + cell * Point2{ahead, left}, height));
-      if (beside != places_.end()) looks = std::max(looks, looks_of(beside->second));
-      if (looks == believed) return looks;
+      const auto beside = places_.find(key_of(Point2{shown.x, shown.y} + cell * Point2{ahead, left}, shown.z));
+      if (beside == places_.end()) continue;
+      shown.looks = std::max(shown.looks, looks_of(beside->second));
+      if (shown.looks == believed && looks_.sensors() == 1) return;
+      note_who_does_not_see(shown, beside->second);
     }
   }
-  return looks;
 }
 
 /// Of a place that the present look shows too.

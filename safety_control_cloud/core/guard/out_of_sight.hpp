@@ -113,7 +113,8 @@ class OutOfSight {
                        Visit visit) const;
   void keep(const NearReturn& seen, double now, double off, const Heights& stands);
   std::uint8_t looks_of(const Place& before) const;
-  std::uint8_t looks_beside(const Point2& place, double height) const;
+  void take_over_from_beside(Place& shown) const;
+  void note_who_does_not_see(Place& shown, const Place& before) const;
 
   OutOfSightLimits limits_;
   std::unordered_map<std::uint64_t, Place> places_;  ///< by cell
