@@ -2,6 +2,7 @@
 """What the pages say is what the code does: their size, links, parameters, causes, topics and folders."""
 import re
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 import yaml
@@ -12,6 +13,8 @@ README = ROOT / "README.md"
 PAGES = [README, *sorted(SOURCES.rglob("*.md")), *sorted((ROOT / "tests").rglob("*.md"))]
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 FILE = re.compile(r"`((?:tests|scripts|safety_control_cloud)/[\w./-]+)`")
+TEST_FILE = re.compile(r"`(\w+_test\.cpp|test_\w+\.py)`")  # wherever it lies under tests/
+LAUNCHED = re.compile(r"roslaunch safety_control_cloud ([^\s`]+)([^\n`#]*)")
 MADE_BY_THE_BUILD = ("safety_control_cloud/SafetyState",)
 
 pages = pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
@@ -39,10 +42,20 @@ def test_every_link_leads_somewhere(page):
         assert not anchor or anchor in anchors_in(target), link
 
 
+def missing_files(text):
+    """Those that a page names and that are not there."""
+    yield from (name for name in FILE.findall(text) if name not in MADE_BY_THE_BUILD and not (ROOT / name).exists())
+    yield from (name for name in TEST_FILE.findall(text) if not any((ROOT / "tests").rglob(name)))
+
+
 @pages
 def test_every_file_that_is_named_is_there(page):
-    named = [name for name in FILE.findall(page.read_text()) if name not in MADE_BY_THE_BUILD]
-    assert [name for name in named if not (ROOT / name).exists()] == []
+    assert list(missing_files(page.read_text())) == []
+
+
+@pytest.mark.parametrize("name", ["tests/core/no_such_test.cpp", "scripts/no_such", "no_such_test.cpp", "test_no_such.py"])
+def test_a_file_that_is_named_and_is_not_there_is_found(name):
+    assert list(missing_files(f"held by `zone_test.cpp`, `tests/test_docs.py` and `{name}`")) == [name]
 
 
 @pages
@@ -101,9 +114,8 @@ def test_the_readmes_topics_are_the_nodes():
     table = README.read_text().split("## Topics")[1].split("\n## ")[0] + (SOURCES / "GUARD.md").read_text()
     told = set(re.findall(r"^\| (?:in|out|service) \| `[~/]?([\w/]+)` \|", table, re.MULTILINE))
     sources = "".join(path.read_text() for path in sorted((SOURCES / "ros").rglob("*.cpp")))
-    made = set(re.findall(r'advertise(?:Service)?(?:<[\w:]+>)?\((?:named_in\(handle, )?"([\w/]+)"', sources)) | {"cmd_vel_mux/input/teleop"}
+    made = set(re.findall(r'(?:named_in\(handle, |(?:advertise(?:Service)?|subscribe)(?:<[\w:]+>)?\(\s*)"([\w/]+)"', sources))
     made |= set(re.findall(r'"(camera/depth/\w+)"', sources)) | {"tf", "diagnostics"}  # by libraries
-    made |= {"cmd_vel_in", "odom", "footprint", "cmd_vel"}  # of the guard
     assert told == made
 
 
@@ -126,10 +138,30 @@ def test_every_parameter_that_a_page_sets_exists(page):
     assert set(named) - known - topics == set()
 
 
-def test_the_launch_files_take_the_arguments_of_the_readme():
-    line = re.search(r"^roslaunch safety_control_cloud (\S+\.launch)(.*)$", README.read_text(), re.MULTILINE)
-    launch = (SOURCES / "launch" / line.group(1)).read_text()
-    assert [name for name in re.findall(r"(\w+):=", line.group(2)) if f'<arg name="{name}"' not in launch] == []
+def wrong_launches(text):
+    """Launch files that a page starts and that are not there, and arguments that they do not declare."""
+    for name, given in LAUNCHED.findall(text):
+        launch = SOURCES / "launch" / name
+        if not launch.is_file():
+            yield name
+            continue
+        declared = {arg.get("name") for arg in ElementTree.parse(launch).getroot().findall("arg")}
+        yield from (f"{name} {argument}" for argument in re.findall(r"(\w+):=", given) if argument not in declared)
+
+
+@pages
+def test_every_launch_file_that_a_page_starts_takes_the_arguments_that_it_is_given(page):
+    assert list(wrong_launches(page.read_text())) == []
+
+
+@pytest.mark.parametrize("command, wrong", [
+    ("guard.launch mux:=false base:=/cmd_vel  # x:=y", []),
+    ("guard.launch mux:=false bass:=/cmd_vel", ["guard.launch bass"]),
+    ("demo.launch mux:=false", ["demo.launch mux"]),  # it gives that to a file that it includes
+    ("gard.launch", ["gard.launch"]),
+])
+def test_a_launch_that_would_not_start_is_found(command, wrong):
+    assert list(wrong_launches(f"```sh\nroslaunch safety_control_cloud {command}\n```")) == wrong
 
 
 def test_every_folder_has_its_line():
