@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "guard/contradiction.hpp"
 #include "guard/recalled_places.hpp"
 
 namespace safety_control_cloud {
@@ -41,6 +42,7 @@ void GuardMemory::forget() {
   jumped_.reset();
   told_since_.reset();
   strayed_.reset();
+  contradicted_.reset();
 }
 
 /// As of the latest look that somebody knows the place of.
@@ -108,8 +110,32 @@ bool GuardMemory::has_strayed(const Instant& now) const {
   return !by_odometry_ && strayed_ && now.steady - *strayed_ <= limits_.places.time;
 }
 
+/// A child frame that is turned, a sign that is wrong, a gyroscope that has died: all that is remembered lies
+/// elsewhere.
+void GuardMemory::note_contradiction(const Went& went, const Instant& now) {
+  if (!by_odometry_) return;
+  const double until = std::min(now.ros, went.odometry.spoke_until()), since = until - contradicts_for;
+  const auto from = went.odometry.pose_at(since), to = went.odometry.pose_at(until);
+  if (!from || !to) return;
+  const auto as_told = [&](double stamp) { return went.given.whereabouts_at(now.steady - (now.ros - stamp)).or_else; };
+  const std::vector<Pose2> before = as_told(since), there = as_told(until);
+  std::vector<Pose2> ways;
+  for (std::size_t i = 0; i < std::min(before.size(), there.size()); ++i) ways.push_back(between(before[i], there[i]));
+  const bool misplaces = is_contradicted(now);
+  if (const auto how = contradiction(between(*from, *to), ways))
+    contradicted_ = Contradicted{now.steady, misplaces, *how};
+  if (contradicted_ && out_of_sight_.has_seen_any(now.steady)) contradicted_->misplaces = true;
+}
+
+/// And anything was near since. By such odometry no two looks show a thing at the same place, and the next ones see it
+/// gone: nothing need be kept by now.
+bool GuardMemory::is_contradicted(const Instant& now) const {
+  return contradicted_ && contradicted_->misplaces && now.steady - contradicted_->at <= limits_.places.time;
+}
+
 std::optional<Pose2> GuardMemory::note(std::size_t sensor, const Look& look, const Went& went, const Instant& now) {
   choose_whereabouts(look.stamp, went, now);
+  note_contradiction(went, now);
   const double came_after = now.ros - look.stamp;  // [s]
   const auto robot = whereabouts_at(came_after, went, now);
   if (robot) {
@@ -198,10 +224,12 @@ bool GuardMemory::waits_for(const std::vector<GuardSensor>& sensors, const Insta
 /// Why what is out of sight cannot be placed.
 std::optional<Doubt> GuardMemory::doubt_at(const Instant& now, const Went& went,
                                            const std::vector<GuardSensor>& sensors) const {
-  const auto in_doubt = [](const char* reason) { return Doubt{Cause::NoOdometry, reason}; };
+  const auto in_doubt = [](const std::string& reason) { return Doubt{Cause::NoOdometry, reason}; };
   const bool is_placed_by_odometry = by_odometry_ && out_of_sight_.holds_any(now.steady);
   if (is_placed_by_odometry && went.odometry.breaks() != breaks_)
     return in_doubt("odometry jumped or paused, and what is out of sight cannot be placed");
+  if (is_contradicted(now))
+    return in_doubt("odometry cannot be right: " + contradicted_->how + "; what is out of sight cannot be placed");
   if (has_strayed(now))
     return in_doubt("this node stood still as the robot drove, and what is out of sight cannot be placed");
   if (recalled_) return in_doubt("no odometry, and what was out of sight before this start cannot be placed");
@@ -217,7 +245,7 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
   Known known;
   known.sensor = "memory";
   known.doubt = doubt_at(now, went, sensors);
-  if (has_strayed(now)) known.hint = what_frees_who_strayed;
+  if (has_strayed(now) || is_contradicted(now)) known.hint = what_frees_who_strayed;
   if (known.doubt) return {known};
   jumped_.reset();
   if (!out_of_sight_.holds_any(now.steady)) return {};

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../../safety_control_cloud/core/guard/contradiction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+#include "robot_with_odometry.hpp"
+
+namespace safety_control_cloud {
+namespace {
+
+/// Ways between which a base went that did as it was told.
+std::vector<Pose2> between_ways(const Pose2& a, const Pose2& b) {
+  return {a, b, {a.place, b.heading}, {b.place, a.heading}};
+}
+
+TEST(Contradiction, IsAWayAgainstAllThatTheBaseWasTold) {
+  const auto ahead = between_ways({{0.2, 0.0}, -0.05}, {{0.5, 0.0}, 0.05});
+  EXPECT_TRUE(contradiction({{-0.3, 0.0}, 0.0}, ahead));
+  for (const double x : {-0.02, 0.0, 0.1, 0.3, 0.9}) EXPECT_FALSE(contradiction({{x, 0.0}, 0.0}, ahead)) << x;
+  EXPECT_FALSE(contradiction({{-0.3, 0.0}, 0.0}, between_ways({{-0.1, 0.0}, 0.0}, {{0.5, 0.0}, 0.0}))) << "perhaps";
+  EXPECT_FALSE(contradiction({{-0.3, 0.0}, 0.0}, between_ways({{0.05, 0.0}, 0.0}, {{0.5, 0.0}, 0.0}))) << "hardly told";
+  EXPECT_FALSE(contradiction({{-0.3, 0.0}, 1.3}, between_ways({{0.2, 0.0}, 1.0}, {{0.5, 0.0}, 2.0}))) << "turns far";
+  EXPECT_FALSE(contradiction({{-0.3, 0.0}, 0.0}, {})) << "nothing told";
+  const auto backward = between_ways({{-0.2, 0.0}, 0.0}, {{-0.5, 0.0}, 0.0});
+  EXPECT_TRUE(contradiction({{0.3, 0.0}, 0.0}, backward));
+  EXPECT_FALSE(contradiction({{-0.3, 0.0}, 0.0}, backward));
+  const auto left = between_ways({{0.0, 0.2}, 0.0}, {{0.0, 0.5}, 0.0});
+  EXPECT_TRUE(contradiction({{0.0, -0.3}, 0.0}, left));
+  EXPECT_FALSE(contradiction({{0.0, 0.3}, 0.0}, left));
+}
+
+TEST(Contradiction, IsATurnAgainstOrNoneOnAWay) {
+  const auto turning = between_ways({{0.2, 0.0}, 0.4}, {{0.5, 0.1}, 0.8});
+  EXPECT_TRUE(contradiction({{0.3, 0.0}, -0.5}, turning));
+  EXPECT_TRUE(contradiction({{0.3, 0.0}, 0.0}, turning)) << "the gyroscope has died";
+  EXPECT_FALSE(contradiction({{0.3, 0.0}, 0.1}, turning));
+  EXPECT_FALSE(contradiction({{0.0, 0.0}, 0.0}, turning)) << "it rests: somebody may have pressed its stop button";
+  EXPECT_FALSE(contradiction({{0.3, 0.0}, 0.0}, between_ways({{0.2, 0.0}, 0.1}, {{0.5, 0.1}, 0.8}))) << "hardly told";
+}
+
+/// What becomes of pose and twist until they are told; `from` is where that began.
+using Says = std::function<void(const Pose2& from, Pose2& pose, Twist2& twist)>;
+
+void rightly(const Pose2&, Pose2&, Twist2&) {}
+
+void backward(const Pose2& from, Pose2& pose, Twist2& twist) {
+  pose.place = from.place - (pose.place - from.place);
+  twist.vx = -twist.vx;
+}
+
+void with_a_dead_gyroscope(const Pose2& from, Pose2& pose, Twist2& twist) {
+  pose.heading = from.heading, twist.w = 0.0;
+}
+
+void mirrored(const Pose2& from, Pose2& pose, Twist2& twist) {
+  pose.heading = from.heading - (pose.heading - from.heading);
+  twist.w = -twist.w;
+}
+
+void at_rest(const Pose2& from, Pose2& pose, Twist2& twist) { pose = from, twist = {}; }
+
+/// It remembers what it has turned away from.
+struct DrivenRobot : RobotWithOdometry {
+  DrivenRobot() {
+    passes(1.0, with_post);
+    turns(quarter, hall);
+    passes(1.2, hall);  // nobody told it to turn
+  }
+
+  /// The base does so large a share of what it is told, as far as it is let. Until nobody believes odometry any more.
+  Guarded drives(double seconds, const Twist2& told, const Says& says, double share = 1.0) {
+    const Pose2 from = pose;
+    Guarded answer;
+    for (double t = 0.0; t < seconds && answer.cause != Cause::NoOdometry; t += 0.05) {
+      pass(0.05);
+      twist = limited(told, share * answer.factor);
+      pose = beyond(pose, way_of(twist, 0.05));
+      Pose2 there = pose;
+      Twist2 then = twist;
+      says(from, there, then);
+      control.note_odometry(now.ros, there, then);
+      see(hall);
+      answer = wants(told);
+    }
+    return answer;
+  }
+};
+
+TEST(Contradiction, StopsWhoRemembersByIt) {
+  const std::pair<Twist2, Says> wrong[] = {
+      {{0.3, 0.0, 0.0}, backward},
+      {{0.3, 0.0, 0.2}, backward},
+      {{0.3, 0.0, -0.6}, with_a_dead_gyroscope},
+      {{0.3, 0.0, -0.6}, mirrored},
+  };
+  for (const auto& [told, says] : wrong) {
+    DrivenRobot robot;
+    const Guarded answer = robot.drives(4.0, told, says);
+    EXPECT_EQ(answer.cause, Cause::NoOdometry) << told.w << ": " << answer.reason;
+    EXPECT_EQ(answer.factor, 0.0);
+    EXPECT_FALSE(answer.hint.empty());
+    robot.control.forget_losses();
+    robot.passes(0.2, robot.hall);
+    EXPECT_EQ(robot.wants(told).cause, Cause::Seen) << "somebody has looked";
+  }
+}
+
+TEST(Contradiction, IsNoneOfABaseThatDoesLessOrWasHalted) {
+  for (const Twist2& told :
+       {Twist2{0.3, 0.0, 0.0}, Twist2{0.3, 0.0, -0.6}, Twist2{-0.3, 0.0, 0.3}, Twist2{0.0, 0.0, 1.5}}) {
+    for (const double share : {1.0, 0.4, 0.0}) {
+      DrivenRobot robot;
+      EXPECT_EQ(robot.drives(4.0, told, rightly, share).cause, Cause::Seen)
+          << told.vx << ", " << told.w << ", " << share;
+    }
+    DrivenRobot robot;
+    EXPECT_EQ(robot.drives(4.0, told, at_rest).cause, Cause::Seen) << told.vx << ", " << told.w;
+  }
+}
+
+}  // namespace
+}  // namespace safety_control_cloud
