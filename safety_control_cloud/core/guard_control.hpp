@@ -53,9 +53,9 @@ class GuardControl {
   /// Nobody listened for so long [s] until now, nor told the base anything, or so that this knows of it.
   void note_deafness(double seconds, const Instant& now) { perception_.note_deafness(seconds, now, given_); }
 
-  /// The base says where it is.
-  void note_odometry(double stamp, const Pose2& pose, const Twist2& twist) {
-    perception_.odometry().note(stamp, pose, twist);
+  /// The base says where it is, or a part of it, on which base_frame is at `base`.
+  void note_odometry(double stamp, const Pose2& pose, const Twist2& twist, const Pose2& base = {}) {
+    perception_.odometry().note(stamp, beyond(pose, base), twist_of_part(twist, base));
   }
 
   /// The same of whom tells poses alone.

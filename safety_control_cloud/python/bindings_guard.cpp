@@ -93,10 +93,12 @@ void bind_guard(py::module& module) {
            py::arg("ros_now") = py::none())
       .def(
           "note_odometry",
-          [](core::GuardControl& control, double stamp, const Triple& pose, const Triple& twist) {
-            control.note_odometry(stamp, {{pose[0], pose[1]}, pose[2]}, {twist[0], twist[1], twist[2]});
+          [](core::GuardControl& control, double stamp, const Triple& pose, const Triple& twist, const Triple& base) {
+            control.note_odometry(stamp, {{pose[0], pose[1]}, pose[2]}, {twist[0], twist[1], twist[2]},
+                                  {{base[0], base[1]}, base[2]});
           },
-          py::arg("stamp"), py::arg("pose"), py::arg("twist"))
+          py::arg("stamp"), py::arg("pose"), py::arg("twist"), py::arg("base") = Triple{})
+      .def_property_readonly("answer_period", &core::GuardControl::answer_period)
       .def(
           "note_pose",
           [](core::GuardControl& control, double stamp, const Triple& pose) {

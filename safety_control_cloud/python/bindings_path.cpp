@@ -21,19 +21,25 @@ using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 core::Twist2 twist_of(const Triple& twist) { return {twist[0], twist[1], twist[2]}; }
 Triple triple_of(const core::Twist2& twist) { return {twist.vx, twist.vy, twist.w}; }
 
+/// Made by numpy itself, and read and written by their numbers, one after the other: pybind11 before 2.12 misreads the
+/// types of numpy 2, and with them how far numbers lie apart.
+template <class... Sizes>
+Array empty(Sizes... sizes) {
+  return py::module_::import("numpy").attr("empty")(py::make_tuple(sizes...)).template cast<Array>();
+}
+
 std::vector<core::Point2> points_of(const Array& array) {
   if (array.ndim() != 2 || array.shape(1) != 2) throw py::value_error("points must have shape (N, 2)");
   std::vector<core::Point2> points(static_cast<std::size_t>(array.shape(0)));
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] = {array.at(i, 0), array.at(i, 1)};
+  const double* numbers = array.data();
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = {numbers[2 * i], numbers[2 * i + 1]};
   return points;
 }
 
 Array array_of(const std::vector<core::Point2>& points) {
-  Array array({static_cast<py::ssize_t>(points.size()), py::ssize_t{2}});
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    array.mutable_at(i, 0) = points[i].x;
-    array.mutable_at(i, 1) = points[i].y;
-  }
+  Array array = empty(points.size(), 2);
+  double* numbers = array.mutable_data();
+  for (std::size_t i = 0; i < points.size(); ++i) numbers[2 * i] = points[i].x, numbers[2 * i + 1] = points[i].y;
   return array;
 }
 
@@ -46,9 +52,10 @@ core::Footprint footprint_of(const std::vector<Pair>& polygon, double radius, do
 /// One number for each point.
 template <class Ask>
 Array each(const Array& points, Ask ask) {
-  std::vector<double> answers;
-  for (const core::Point2& point : points_of(points)) answers.push_back(ask(point));
-  return Array(static_cast<py::ssize_t>(answers.size()), answers.data());
+  const std::vector<core::Point2> places = points_of(points);
+  Array answers = empty(places.size());
+  std::transform(places.begin(), places.end(), answers.mutable_data(), ask);
+  return answers;
 }
 
 Array time_to_contact(const core::Outline& outline, const Triple& twist, const Array& points, double widening,

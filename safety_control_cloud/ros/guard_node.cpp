@@ -50,7 +50,7 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
       diagnostics_(handle, private_handle, log_.warner(), names_of(settings.sensors)) {
   on_quiet();
   odometry_.emplace(
-      handle, control_, [this] { beat(now()); }, log_.warner());
+      handle, control_, base_.buffer(), [this] { beat(now()); }, log_.warner());
   override_ = private_handle.advertiseService("override", &GuardNode::on_override, this);
   wanted_ = subscribe_to_wanted(
       handle, settings.command_type,
@@ -114,7 +114,7 @@ void GuardNode::see(std::size_t sensor, const Arrival& arrival, const Instant& c
   const double stamp = arrival.header.stamp.toSec();
   Origin origin{stamp, OpticalFrame{}, arrival.source, arrival.header.frame_id};
   control_.note_about(sensor, gap_.doubt_about(stamp, came, control_.settings()));
-  odometry_->ask(base_.buffer());
+  odometry_->ask();
   try {
     origin.placing = base_.at(arrival.header);
     control_.see(arrival.reading, origin, came, sensor);
@@ -166,7 +166,7 @@ bool GuardNode::on_override(OverrideRequest& wish, OverrideResponse& response) {
 }
 
 const Guarded& GuardNode::answer() {
-  if (odometry_) odometry_->ask(base_.buffer());
+  if (odometry_) odometry_->ask();
   control_.note_outside(commands_.doubt());
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     if (!channels_[i]->has_sent()) control_.note_about(i, lost_things_.nothing_seen(channels_[i]->why_nothing_came()));

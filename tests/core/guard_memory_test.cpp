@@ -272,5 +272,30 @@ TEST(GuardMemory, WhatWasSeenBeforeOdometryIsAskedIsPlacedByItToo) {
   EXPECT_NEAR(reckoned.factor, known.factor, 0.02);
 }
 
+/// A driver may tell of its axle, or of a frame that looks backward, and TF where base_frame is on that.
+TEST(GuardMemory, OdometryOfAPartIsThatOfTheBase) {
+  for (const Pose2& base : {Pose2{{0.4, 0.0}, 0.0}, Pose2{{-0.1, 0.2}, 2.0 * quarter}}) {
+    RobotWithOdometry robot, other;
+    const Pose2 part = between(base, Pose2{});  // as the base has it
+    for (int i = 0; i < 80; ++i) {
+      const Twist2 twist{0.0, 0.0, i < 20 ? 0.0 : quarter / 3.0};
+      robot.pose = beyond(robot.pose, way_of(twist, 0.05));
+      for (RobotWithOdometry* one : {&robot, &other}) one->pass(0.05);
+      robot.control.note_odometry(robot.now.ros, robot.pose, twist);
+      other.control.note_odometry(other.now.ros, beyond(robot.pose, part), twist_of_part(twist, part), base);
+      for (RobotWithOdometry* one : {&robot, &other}) {
+        one->see(i < 20 ? with_post : one->hall);
+        one->wants({});
+      }
+    }
+    for (const Twist2& wish : {Twist2{0.0, -0.6, 0.0}, Twist2{-0.6, 0.0, 0.0}, Twist2{0.0, 0.0, -1.0}}) {
+      const Guarded answer = robot.wants(wish), same = other.wants(wish);
+      EXPECT_NEAR(same.factor, answer.factor, 1e-6) << base.place.x;
+      EXPECT_EQ(same.cause, Cause::Seen);
+    }
+    EXPECT_LT(robot.wants({0.0, -0.6, 0.0}).factor, 1.0) << "what it has turned away from";
+  }
+}
+
 }  // namespace
 }  // namespace safety_control_cloud

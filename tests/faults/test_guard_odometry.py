@@ -64,6 +64,13 @@ def test_a_node_that_stood_still_as_the_robot_drove_stands_without_odometry(mast
         robot.gives(lambda state: state.cause_text == "SEEN")
 
 
+def test_odometry_of_a_frame_that_tf_does_not_know_is_named(master):
+    with guarded_robot() as robot, process(["rostopic", "pub", "-s", "-r", "20", "/odom", "nav_msgs/Odometry", ELSEWHERE.replace("base_footprint", "axle")]):
+        robot.driver.say(twist(0.2))
+        eventually(lambda: "odometry is of axle, and TF does not tell where base_footprint is in it" in robot.process.output())
+        robot.passes(twist(0.2))
+
+
 def test_an_odom_frame_that_tf_does_not_know_is_named(master):
     with guarded_robot("_odom_frame:=odomm") as robot:
         robot.driver.say(twist(0.2))

@@ -54,6 +54,12 @@ inline Pose2 way_of(const Twist2& twist, double time) {
   return {moved({}, {-twist.vx, -twist.vy, -twist.w}, time), twist.w * time};
 }
 
+/// That of a part which is fixed there on who has this twist, in its own axes.
+inline Twist2 twist_of_part(const Twist2& twist, const Pose2& part) {
+  const Point2 velocity = linear(twist) + twist.w * turned_left(part.place), own = turned(velocity, -part.heading);
+  return {own.x, own.y, twist.w};
+}
+
 /// Where resting points stand in base_frame once the robot has gone this way.
 class SeenAfter {
  public:

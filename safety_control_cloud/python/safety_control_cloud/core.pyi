@@ -324,9 +324,13 @@ class GuardControl:
         ros_now: Optional[float] = None,
     ) -> None:
         """Somebody wants this, three numbers each; `stamp` [s]: of a TwistStamped."""
-    def note_odometry(self, stamp: float, pose: Sequence[float], twist: Sequence[float]) -> None:
+    @property
+    def answer_period(self) -> float:
+        """[s] after which there is to be a new answer, though nobody says anything."""
+    def note_odometry(self, stamp: float, pose: Sequence[float], twist: Sequence[float],
+                      base: Sequence[float] = (0.0, 0.0, 0.0)) -> None:
         """The base says at `stamp` [s, ROS time] that it is at x, y [m], heading [rad] of a frame that rests, and moves
-        with vx, vy [m/s], w [rad/s] of its own."""
+        with vx, vy [m/s], w [rad/s] of its own; or a part of it, on which base_frame is at `base`."""
     def note_pose(self, stamp: float, pose: Sequence[float]) -> None:
         """The same of whom tells no twist, as TF."""
     def note_outside(self, cause: Optional[Cause], reason: str = "") -> None:

@@ -17,9 +17,9 @@ constexpr std::uint32_t most_waiting = 100;  // a second or two, so that a threa
 
 }  // namespace
 
-OdometryInput::OdometryInput(ros::NodeHandle& handle, GuardControl& control, std::function<void()> beat,
-                             std::function<void(const std::string&)> warn)
-    : control_(control), beat_(std::move(beat)), warn_(std::move(warn)) {
+OdometryInput::OdometryInput(ros::NodeHandle& handle, GuardControl& control, const tf2_ros::Buffer& buffer,
+                             std::function<void()> beat, std::function<void(const std::string&)> warn)
+    : control_(control), buffer_(buffer), beat_(std::move(beat)), warn_(std::move(warn)) {
   const Settings& settings = control_.settings();
   if (!settings.odom_frame.empty()) {
     transforms_.emplace(settings.odom_frame, settings.base_frame);
@@ -32,8 +32,8 @@ OdometryInput::OdometryInput(ros::NodeHandle& handle, GuardControl& control, std
       nullptr, ros::TransportHints().tcpNoDelay());
 }
 
-void OdometryInput::ask(const tf2_ros::Buffer& buffer) {
-  const auto told = transforms_ ? transforms_->next(buffer) : std::nullopt;
+void OdometryInput::ask() {
+  const auto told = transforms_ ? transforms_->next(buffer_) : std::nullopt;
   if (told) control_.note_pose(told->stamp, told->pose);
   warn_of_frame_that_nobody_knows();
 }
@@ -51,15 +51,28 @@ void OdometryInput::on_message(const ros::MessageEvent<nav_msgs::Odometry const>
   beat_();
   const nav_msgs::Odometry& odometry = *event.getConstMessage();
   note_publisher(event.getPublisherName());
-  const std::string& base = control_.settings().base_frame;
-  if (odometry.child_frame_id != base && !warned_of_frame_) {
-    warn_("odometry is of " + odometry.child_frame_id + "; it is taken for that of " + base +
-          ", which must differ from it in height alone");
-    warned_of_frame_ = true;
-  }
+  const auto base = base_in(odometry.child_frame_id);
+  if (!base) return;
   const auto& twist = odometry.twist.twist;
   control_.note_odometry(odometry.header.stamp.toSec(), pose_of(odometry.pose.pose),
-                         {twist.linear.x, twist.linear.y, twist.angular.z});
+                         {twist.linear.x, twist.linear.y, twist.angular.z}, *base);
+}
+
+/// Where base_frame is in it. Some drivers leave the name empty.
+std::optional<Pose2> OdometryInput::base_in(const std::string& child_frame) {
+  const std::string frame = child_frame.substr(child_frame.compare(0, 1, "/") == 0 ? 1 : 0);  // as tf had it, before tf2
+  const std::string& base = control_.settings().base_frame;
+  if (frame == base || frame.empty()) return Pose2{};
+  try {
+    return pose_of(buffer_.lookupTransform(frame, base, ros::Time(0)).transform);
+  } catch (const tf2::TransformException& problem) {
+    if (!warned_of_frame_ && (ros::SteadyTime::now() - began_).toSec() > patience) {
+      warn_("odometry is of " + frame + ", and TF does not tell where " + base + " is in it: no odometry; " +
+            problem.what());
+      warned_of_frame_ = true;
+    }
+    return std::nullopt;
+  }
 }
 
 /// One that was started again under another name is not two.

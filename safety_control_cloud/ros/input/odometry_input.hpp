@@ -18,22 +18,25 @@ namespace safety_control_cloud {
 /// Where the robot goes, on its way into the control: from nav_msgs/Odometry, or with an odom_frame from TF.
 class OdometryInput {
  public:
-  /// What it is told of is told to `control`, after a `beat`; `warn`, once each, of a frame that is not base_frame, of
-  /// two that publish it in turn, and of an odom_frame that TF does not know.
-  OdometryInput(ros::NodeHandle& handle, GuardControl& control, std::function<void()> beat,
-                std::function<void(const std::string&)> warn);
+  /// What it is told of is told to `control`, after a `beat`; `warn`, once each, of a frame that is not base_frame and
+  /// of which `buffer` does not tell where that is, of two that publish it in turn, and of an odom_frame that TF does
+  /// not know.
+  OdometryInput(ros::NodeHandle& handle, GuardControl& control, const tf2_ros::Buffer& buffer,
+                std::function<void()> beat, std::function<void(const std::string&)> warn);
   OdometryInput(const OdometryInput&) = delete;
   OdometryInput& operator=(const OdometryInput&) = delete;
 
   /// What TF knows by now, if it is to be asked.
-  void ask(const tf2_ros::Buffer& buffer);
+  void ask();
 
  private:
   void on_message(const ros::MessageEvent<nav_msgs::Odometry const>& event);
+  std::optional<Pose2> base_in(const std::string& child_frame);
   void note_publisher(const std::string& name);
   void warn_of_frame_that_nobody_knows();
 
   GuardControl& control_;
+  const tf2_ros::Buffer& buffer_;
   std::function<void()> beat_;
   std::function<void(const std::string&)> warn_;
   std::optional<TfOdometry> transforms_;

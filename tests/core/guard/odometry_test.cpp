@@ -21,6 +21,16 @@ void expect_near(const std::optional<Pose2>& way, const Pose2& expected, double 
   EXPECT_NEAR(way->heading, expected.heading, 1e-9);
 }
 
+TEST(Pose, APartGoesItsOwnWay) {
+  const double time = 0.8;
+  for (const Twist2& twist : {Twist2{0.3, 0.1, 0.7}, Twist2{0.0, 0.0, -1.5}, Twist2{0.4, 0.0, 0.0}}) {
+    for (const Pose2& part : {Pose2{{0.4, 0.0}, 0.0}, Pose2{{-0.2, 0.3}, 2.5}, Pose2{}}) {
+      const Pose2 way = between(part, beyond(way_of(twist, time), part));
+      expect_near(way_of(twist_of_part(twist, part), time), way, 1e-12);
+    }
+  }
+}
+
 TEST(Pose, AWayIsSeenBackwardByARestingPoint) {
   const Twist2 twist{0.3, 0.1, 0.7};
   const Point2 point{1.0, -0.5};

@@ -54,7 +54,6 @@ class GuardDrive:
         """
         self._control = core.GuardControl(settings)
         self._names, self._start, self._told, self._poses = names, start, told, poses
-        self._period = max(0.01, min(1.0 / settings.publish_rate, settings.sensor_period))  # [s]
         self._driven: Optional[Motion] = None
         self.latest: Optional[Answer] = None
         self._due = float("inf")  # [s] steady
@@ -79,9 +78,10 @@ class GuardDrive:
         self._control.note_switch(switch, side, touched, self._steady(time))
         self._answer(time, switch)
 
-    def note_odometry(self, stamp: float, pose: Pose, twist: Motion, time: int) -> None:
+    def note_odometry(self, stamp: float, pose: Pose, twist: Motion, time: int, base: Pose = (0.0, 0.0, 0.0)) -> None:
+        """`base`: where base_frame is in the frame of which this tells."""
         self._wait(time)
-        self._control.note_odometry(stamp, pose, twist)
+        self._control.note_odometry(stamp, pose, twist, base)
         self._driven = twist
 
     def end(self, time: int) -> None:
@@ -109,7 +109,7 @@ class GuardDrive:
         self.latest = answer
         self._told(answer)
         changes = [change for change in (self._control.until_silent(now), said.override_left) if change > 0.0]
-        self._due = now + max(min([self._period, *changes]), SHORTEST)
+        self._due = now + max(min([self._control.answer_period, *changes]), SHORTEST)
 
     def _answer_of(self, said: core.Guarded, time: int, asked_by: str) -> Answer:
         return Answer(

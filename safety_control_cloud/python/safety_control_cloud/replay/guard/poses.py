@@ -2,7 +2,7 @@
 """Where the bag's transforms say that the robot is, in a frame that rests: what ros/input/tf_odometry.cpp does."""
 from __future__ import annotations
 
-from typing import Optional, Tuple
+from typing import Any, Optional, Tuple
 
 from safety_control_cloud.headings import heading_of
 from safety_control_cloud.replay.places import Places
@@ -21,5 +21,10 @@ class Poses:
         if latest is None or latest.header.stamp.to_sec() == self._told:
             return None
         self._told = latest.header.stamp.to_sec()
-        at = latest.transform.translation
-        return self._told, (at.x, at.y, heading_of(latest.transform.rotation))
+        return self._told, pose_in(latest)
+
+
+def pose_in(transform: Any) -> Pose:
+    """Of a TransformStamped, from above."""
+    at = transform.transform.translation
+    return (at.x, at.y, heading_of(transform.transform.rotation))

@@ -9,7 +9,7 @@ from safety_control_cloud.replay.bags import BagError, Bags, Recorded
 from safety_control_cloud.replay.eyes import Sighting
 from safety_control_cloud.replay.guard.drive import GuardDrive, Told
 from safety_control_cloud.replay.guard.inputs import Inputs
-from safety_control_cloud.replay.guard.poses import Poses
+from safety_control_cloud.replay.guard.poses import Pose, Poses, pose_in
 from safety_control_cloud.replay.guard.scans import any_eye_for
 from safety_control_cloud.replay.guard.seen import Seen
 from safety_control_cloud.replay.guard.switches import Switch
@@ -41,6 +41,7 @@ class Reading:
         self._drive: Optional[GuardDrive] = None
         self.start = self._latest = 0  # [ns] of the bag
         self._warnings: List[str] = []
+        self._unplaced_odometry: Optional[str] = None
         moving = transforms_in(bags)
         self._moving = {topic.name for topic in moving}
         self.topics = [*(topic for source in inputs.sensors for topic in source.topics), *inputs.of_base, *moving]
@@ -69,8 +70,20 @@ class Reading:
                 self._drive.touch(switch.name, *switch.word_in(message), message.time)
         else:
             with self._bags.understanding(message):
-                odometry = odometry_in(self._bags.content_of(message))
-            self._drive.note_odometry(*odometry, message.time)
+                content = self._bags.content_of(message)
+                odometry = odometry_in(content)
+            base = self._base_in(content.child_frame_id.lstrip("/"))
+            if base is not None:
+                self._drive.note_odometry(*odometry, message.time, base)
+
+    def _base_in(self, frame: str) -> Optional[Pose]:
+        """Where base_frame is in it, as ros/input/odometry_input.cpp has it; None: nobody says."""
+        base = self._inputs.settings.base_frame
+        if frame in ("", base):
+            return (0.0, 0.0, 0.0)
+        known = self._places.latest(frame, base)
+        self._unplaced_odometry = None if known else f"odometry is of {frame}, and no transform tells where {base} is in it: no odometry"
+        return pose_in(known) if known else None
 
     def end(self) -> List[str]:
         """What is to be told of the bag. Raises BagError also where nothing of a required sensor can be believed."""
@@ -83,6 +96,8 @@ class Reading:
                 if seen.is_required:
                     raise BagError(problem)
                 self._warnings.append(problem)
+        if self._unplaced_odometry:
+            self._warnings.append(self._unplaced_odometry)
         said = {switch.name for switch in self._inputs.switches}
         self._warnings += [f"nothing of the switch {one['name']} was recorded: it is taken for released"
                            for one in self._inputs.settings.switches if one["name"] not in said]
