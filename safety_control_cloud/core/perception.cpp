@@ -48,7 +48,7 @@ void Perception::forget_losses() {
 
 std::vector<std::string> Perception::remembered() const {
   std::vector<std::string> texts;
-  for (const GuardSensor& sensor : sensors_) texts.push_back(named(written_name(sensor), sensor.remembered()));
+  for (const GuardSensor& sensor : sensors_) texts.push_back(named(name_before_losses(sensor), sensor.remembered()));
   for (const std::string& text : unplaced_.texts()) texts.push_back(text);
   texts.push_back(memory_.remembered());
   if (auto touched = closed_.remembered(); !touched.empty()) texts.push_back(std::move(touched));
@@ -62,7 +62,7 @@ bool Perception::recall(const std::vector<std::string>& remembered) {
   return !unplaced_.any();
 }
 
-std::string Perception::written_name(const GuardSensor& sensor) const {
+std::string Perception::name_before_losses(const GuardSensor& sensor) const {
   return settings_.sensors.empty() ? "" : sensor.name();
 }
 
@@ -73,7 +73,7 @@ bool Perception::go_on_with(const std::string& line) {
   const std::size_t end = line.find(after_name);
   const bool is_named = end != std::string::npos;
   const std::string name = is_named ? line.substr(0, end) : "";
-  const auto is_its_own = [&](const GuardSensor& one) { return written_name(one) == name; };
+  const auto is_its_own = [&](const GuardSensor& one) { return name_before_losses(one) == name; };
   const auto sensor = std::find_if(sensors_.begin(), sensors_.end(), is_its_own);
   return sensor != sensors_.end() && sensor->remembered().empty() &&
          sensor->recall(is_named ? line.substr(end + 1) : line);

@@ -65,7 +65,7 @@ class Perception {
 
  private:
   void explain_blindness(std::size_t sensor, const Origin& origin, const Instant& now, const Given& given);
-  std::string written_name(const GuardSensor& sensor) const;
+  std::string name_before_losses(const GuardSensor& sensor) const;
   bool go_on_with(const std::string& line);
   std::optional<Known> known_of_unplaced(const Instant& now);
 

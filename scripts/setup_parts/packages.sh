@@ -18,10 +18,11 @@ debian_packages=(
   ros-core ros-core-dev rosbash catkin                     # ROS itself
   libdiagnostic-updater-dev libdynamic-reconfigure-config-init-mutex-dev libgeometry-msgs-dev libimage-transport-dev
   libnav-msgs-dev libnodelet-dev libnodeletlib-dev libnodeletlib-tools libpcl-conversions-dev libpcl-ros-dev
-  libsensor-msgs-dev libstd-srvs-dev libtf2-ros-dev libtopic-tools-dev libvisualization-msgs-dev python3-dynamic-reconfigure python3-nodelet
-  python3-diagnostic-msgs python3-geometry-msgs python3-nav-msgs python3-rosbag python3-rosgraph-msgs python3-roslaunch
+  libsensor-msgs-dev libstd-srvs-dev libtf2-ros-dev libtopic-tools-dev libvisualization-msgs-dev libxmlrpcpp-dev
+  python3-dynamic-reconfigure python3-nodelet
+  python3-diagnostic-msgs python3-genpy python3-geometry-msgs python3-nav-msgs python3-rosbag python3-rosgraph-msgs python3-roslaunch
   python3-roslib python3-roslz4 python3-rosmaster python3-rosmsg python3-rosnode python3-rosparam python3-rospkg
-  python3-rostopic python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf2-msgs python3-tf2-ros
+  python3-rostopic python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf2 python3-tf2-msgs python3-tf2-ros
   python3-visualization-msgs python3-yaml
   ros-robot-state-publisher rviz                           # simulation
 )
@@ -40,6 +41,7 @@ gazebo_packages=(gazebo libgazebo-dev)
 declare -A run_time_on_debian=(
   [diagnostic_updater]=python3-diagnostic-msgs
   [dynamic_reconfigure]=python3-dynamic-reconfigure
+  [genpy]=python3-genpy
   [geometry_msgs]=python3-geometry-msgs
   [image_transport]=
   [message_runtime]=ros-message-runtime
@@ -54,21 +56,24 @@ declare -A run_time_on_debian=(
   [rosgraph_msgs]=python3-rosgraph-msgs
   [roscpp]=rosbash  # rosrun
   [roslaunch]="python3-roslaunch rosout"
+  [roslib]=python3-roslib
   [rospy]=python3-rospy
   [rviz]=rviz
   [sensor_msgs]=python3-sensor-msgs
   [std_msgs]=python3-std-msgs
   [std_srvs]=python3-std-srvs
   [tf2_msgs]=python3-tf2-msgs
+  [tf2_py]=python3-tf2
   [tf2_ros]=python3-tf2-ros
   [topic_tools]=
   [visualization_msgs]=python3-visualization-msgs
+  [xmlrpcpp]=
 )
 # Their names begin with ros-noetic- or ros-one-.
 ros_packages=(
-  catkin diagnostic-updater dynamic-reconfigure geometry-msgs image-transport message-generation message-runtime nodelet
-  pcl-conversions pcl-ros rosbag rosbash roscpp roslaunch rospy sensor-msgs std-msgs std-srvs
-  nav-msgs rosgraph-msgs rosnode tf2-msgs tf2-ros topic-tools visualization-msgs
+  catkin diagnostic-updater dynamic-reconfigure genpy geometry-msgs image-transport message-generation message-runtime nodelet
+  pcl-conversions pcl-ros rosbag rosbash roscpp roslaunch roslib rospy sensor-msgs std-msgs std-srvs
+  nav-msgs rosgraph-msgs rosnode tf2-msgs tf2-py tf2-ros topic-tools visualization-msgs xmlrpcpp
   robot-state-publisher rviz
 )
 ros_check_packages=(depth-image-proc rostest)

@@ -8,13 +8,13 @@
 #include "../text/words.hpp"
 #include "caps.hpp"
 #include "eye.hpp"
+#include "remembered_place.hpp"
 
 namespace safety_control_cloud {
 namespace {
 
-constexpr double most_beside = 0.1;    ///< [m] what lies beside a picture counts as nearer than reckoned by no more
-constexpr double well_reckoned = 0.2;  ///< [m] what may be off by no more most likely is where it was reckoned to be
-constexpr double sharp = 1.0;          ///< [rad/m]
+constexpr double most_beside = 0.1;  ///< [m] what lies beside a picture counts as nearer than reckoned by no more
+constexpr double sharp = 1.0;        ///< [rad/m]
 
 Allowed standing(const std::string& sensor, const Doubt& doubt) {
   return {0.0, 0.0, std::nullopt, sensor, doubt.cause, doubt.reason};
@@ -35,9 +35,9 @@ bool turns_sharply(const Twist2& twist) { return std::abs(twist.w) > sharp * spe
 
 /// [m] By how much nearer than it was reckoned to be something counts that may be off by `widening`.
 double counted_nearer(double widening, const Known& known, bool is_shown, const Twist2& wanted) {
-  if (known.is_missed) return std::min(well_reckoned, widening);
+  if (known.is_missed) return std::min(well_known, widening);
   if (!is_shown) return widening;
-  const double tolerated = turns_sharply(wanted) ? 0.0 : well_reckoned;
+  const double tolerated = turns_sharply(wanted) ? 0.0 : well_known;
   return std::clamp(widening - tolerated, 0.0, most_beside);
 }
 
@@ -120,7 +120,7 @@ Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Kn
                        std::size_t nearer, bool is_shown) const {
   Allowed least;
   if (ring.returns == 0) return least;
-  const bool is_vague = is_shown && !known.is_missed && ring.obstacles.widening > well_reckoned;
+  const bool is_vague = is_shown && !known.is_missed && ring.obstacles.widening > well_known;
   const double creeping = is_vague ? std::min(1.0, settings_.unseen_speed / fastest_point(outline_, wanted)) : 0.0;
   const double off = counted_nearer(ring.obstacles.widening, known, is_shown, wanted);
   const double widening = off + half_of_gap(known.ways, std::sqrt(2.0) * ring.extent);
