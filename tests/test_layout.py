@@ -28,7 +28,7 @@ ROOMS_OF_ROS = {
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD = re.compile(r"[a-z_0-9]+")  # <vector>, <cmath>: neither folder nor ending
 OWN_LIBRARIES = ("Eigen/", "pcl/", "hwy/")
-OF_PROCESSORS = ("arm_neon.h", "immintrin.h")  # the compiler's own
+OF_PROCESSORS = ("arm_neon.h", "cpuid.h", "immintrin.h")  # the compiler's own
 MADE_OF_THE_STUB = "docstrings.hpp"  # by the build
 READS_A_CLOCK_OR_DOES_IO = {
     *("chrono", "ctime", "thread"),

@@ -48,7 +48,7 @@ HWY_INLINE Points transposed(Float first, Float second, Float third, Float fourt
 struct PackedInOrder {
   const std::uint8_t* first;
 
-  HWY_INLINE void fetch(std::size_t column, std::size_t size) const { fetch_ahead(first + column * 12, size * 12); }
+  HWY_INLINE Stretch bytes_of(std::size_t column, std::size_t size) const { return {first + column * 12, size * 12}; }
   HWY_INLINE Points at(std::size_t column) const {
     Float x, y, z;  // no Points: its constructor would not be compiled for the instruction set
     hn::LoadInterleaved3(Floats(), reinterpret_cast<const float*>(first + column * 3 * sizeof(float)), x, y, z);
@@ -121,8 +121,8 @@ template <std::size_t point_step>
 struct Stepped {
   const std::uint8_t* first;
 
-  HWY_INLINE void fetch(std::size_t column, std::size_t size) const {
-    fetch_ahead(first + column * point_step, size * point_step);
+  HWY_INLINE Stretch bytes_of(std::size_t column, std::size_t size) const {
+    return {first + column * point_step, size * point_step};
   }
   HWY_INLINE Float blocks(const std::uint8_t* from) const { return every_fourth_block(Floats(), from, point_step); }
   HWY_INLINE Points at(std::size_t column) const {
@@ -145,8 +145,8 @@ struct Near {
   std::size_t point_step;
   hn::Vec<Bytes> order;
 
-  HWY_INLINE void fetch(std::size_t column, std::size_t size) const {
-    fetch_ahead(first + column * point_step, size * point_step);
+  HWY_INLINE Stretch bytes_of(std::size_t column, std::size_t size) const {
+    return {first + column * point_step, size * point_step};
   }
   HWY_INLINE Float blocks(const std::uint8_t* from) const {
     const auto bytes = hn::BitCast(Bytes(), every_fourth_block(Floats(), from, point_step));

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 #include "../../input/fetch.hpp"
 #include "../../input/point_reader.hpp"
@@ -66,18 +67,41 @@ HWY_NOINLINE void visit_points(const Source& points, std::size_t size, std::size
 template <class Visitor>
 constexpr bool is_quick = false;
 
+/// Bytes one after the other.
+struct Stretch {
+  const std::uint8_t* from;
+  std::size_t size;
+};
+
 /// The same points, of which nothing is asked for.
 template <class Source>
 struct NotFetched : Source {
   HWY_INLINE void fetch(std::size_t, std::size_t) const {}
 };
 
+template <class Source>
+struct FetchedOnce : Source {
+  HWY_INLINE void fetch(std::size_t column, std::size_t size) const {
+    const Stretch bytes = this->bytes_of(column, size);
+    fetch_once(bytes.from, bytes.size);
+  }
+};
+
+template <class Source>
+struct FetchedTwice : Source {
+  HWY_INLINE void fetch(std::size_t column, std::size_t size) const {
+    const Stretch bytes = this->bytes_of(column, size);
+    fetch_twice(bytes.from, bytes.size);
+  }
+};
+
 template <class Source, class Visitor>
 void visit_fetched(const Source& points, std::size_t size, Visitor& visitor) {
+  if (best_told == Told::LinesOnce) return visit_points(FetchedOnce<Source>{points}, size, 0, visitor);
   if constexpr (is_quick<Visitor>) {
-    if (asks_early_itself) return visit_points(NotFetched<Source>{points}, size, 0, visitor);
+    if (best_told == Told::Pages) return visit_points(NotFetched<Source>{points}, size, 0, visitor);
   }
-  visit_points(points, size, 0, visitor);
+  visit_points(FetchedTwice<Source>{points}, size, 0, visitor);
 }
 
 template <class Row, class Visitor>
