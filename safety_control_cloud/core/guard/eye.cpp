@@ -52,7 +52,7 @@ bool any_new_place(const Outline& outline, const Twist2& twist, Is is) {
 /// it is new at once, but not what it drives into.
 bool leads_into_a_gap(const Outline& outline, const Eye& eye, const Twist2& twist) {
   const double speed = speed_of(twist);
-  if (eye.blind.empty() || speed == 0.0) return false;
+  if (!eye.has_gaps() || speed == 0.0) return false;
   const NewGround ground(outline);
   const double time = std::min(std::max(way_ahead, far_ahead / speed), farthest_turn / std::abs(twist.w));
   for (int i = 1; i <= times; ++i) {
@@ -68,6 +68,8 @@ bool leads_into_a_gap(const Outline& outline, const Eye& eye, const Twist2& twis
 }
 
 }  // namespace
+
+bool Eye::is_wide() const { return half_angle > 0.5 * pi + seam; }
 
 bool Eye::is_between_sides(const Point2& there) const { return angle_between(direction, there) <= half_angle; }
 

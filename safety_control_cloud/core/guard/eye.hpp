@@ -26,10 +26,15 @@ struct Eye {
 
   bool sees(const Point2& point) const { return looks_along(point - place); }
   bool looks_along(const Point2& there) const { return is_between_sides(there) && !is_in_a_gap(there); }
-  /// Whether it would see a place, were it not for a gap.
-  bool misses(const Point2& point) const { return is_between_sides(point - place) && is_in_a_gap(point - place); }
+  /// Whether it would see a place, were it not for a gap: of a laser that looks at more than half a turn, the rest of
+  /// the turn is one.
+  bool misses(const Point2& point) const {
+    return is_wide() ? !sees(point) : is_between_sides(point - place) && is_in_a_gap(point - place);
+  }
+  bool has_gaps() const { return is_wide() || !blind.empty(); }
 
  private:
+  bool is_wide() const;
   bool is_between_sides(const Point2& there) const;
   bool is_in_a_gap(const Point2& there) const;
 };

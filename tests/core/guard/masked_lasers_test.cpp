@@ -93,6 +93,27 @@ TEST(MaskedLasers, ZeroIsTooCloseWhereNothingIsUnlessItSaysWhatInfinitySays) {
   }
 }
 
+/// Whether the rest of the turn is not named, or a filter took it away.
+TEST(MaskedLasers, WhereALaserOfMoreThanHalfATurnDoesNotLookItDoesNotHoweverThatIsSaid) {
+  constexpr double unseen_speed = 0.1;
+  for (const int degrees : {220, 260, 270, 300}) {  // it looks at, ahead
+    for (const bool is_named : {false, true}) {
+      RobotWithALaser robot(with_a_laser_alone(unseen_speed));
+      const std::size_t beams = static_cast<std::size_t>(degrees), first = (360 - beams) / 2;
+      if (is_named) {
+        robot.ranges.assign(beams, 8.0f);
+        robot.first_bearing = -0.5 * degrees * pi / 180.0;
+      } else {
+        for (std::size_t i = 0; i < 360; ++i) robot.ranges[i] = i < first || i >= first + beams ? blanks[0] : 8.0f;
+      }
+      for (const Twist2& back : {Twist2{-0.4, 0.0, 0.0}, Twist2{-0.4, 0.0, 0.1}, Twist2{-0.4, 0.04, 0.0}})
+        EXPECT_NEAR(robot.looks(10, back).given.linear[0], -unseen_speed, 0.02)
+            << degrees << ", " << is_named << ", " << back.w << ", " << back.vy;
+      EXPECT_EQ(robot.looks(10, {0.4, 0.0, 0.0}).factor, 1.0) << degrees << ", " << is_named;
+    }
+  }
+}
+
 /// What lies beyond its sides is no gap: an arc of a long robot, part of which is in sight, passes.
 TEST(MaskedLasers, ALaserOfHalfATurnHasNoGap) {
   Settings settings = with_a_laser_alone(0.1);
