@@ -8,7 +8,7 @@ namespace safety_control_cloud {
 namespace {
 
 constexpr double absent_for = 1.25;     ///< [s] without a return where there would be one
-constexpr double shows_for = 1.0;       ///< [s] what a look showed, until the same sensor looks again
+constexpr double shows_for = 1.0;       ///< [s] what a look showed, or two periods of its sensor
 constexpr double grown_old = 0.5;       ///< of its time
 constexpr double least_range = 0.01;    ///< [m]
 constexpr double thinnest = 0.015;      ///< [m] what is no wider may stand between two places that are asked about
@@ -63,16 +63,18 @@ bool Forgetting::has_gone(RememberedPlace& place) {
 /// The sensor that looks did, and no other since.
 bool Forgetting::showed_it(const RememberedPlace& place) const { return looks_.find(place.look)->sensor == sensor_; }
 
-/// In the latest look of that one, which has not fallen silent.
+/// Just now, and has not looked past it since: that it measures nothing there says nothing.
 bool Forgetting::is_shown_by_another(const RememberedPlace& place) const {
-  return !showed_it(place) && looks_.is_latest_of_its_sensor(place.look) &&
-         now_ - looks_.find(place.look)->at <= shows_for;
+  if (showed_it(place) || place.away > 0) return false;
+  const LooksTaken::Taken& shown = *looks_.find(place.look);
+  return now_ - shown.at <= std::max(shows_for, 2.0 * looks_.period_of(shown.sensor));
 }
 
 /// A scan is, of what it showed: what a camera saw a few millimetres beside its plane it looks past. Who looked past it
-/// before, and another showed it again, is not: glass, or what is black, or whoever is not quite where TF has him.
+/// before, and another showed it again, is not: glass, or what is black, or whoever is not quite where TF has him. Who
+/// did of what another process kept, nobody knows.
 bool Forgetting::is_asked_of(const RememberedPlace& place) const {
-  return showed_it(place) || (!is_scan_ && !place.do_not_see.has(sensor_));
+  return showed_it(place) || (!is_scan_ && !place.is_recalled && !place.do_not_see.has(sensor_));
 }
 
 /// [m] A camera is blind by depth: at the side of a wide picture, what lies as near is farther away than that.

@@ -70,6 +70,12 @@ std::optional<std::uint64_t> LooksTaken::placed_before_latest_of(std::size_t sen
   return std::nullopt;
 }
 
+double LooksTaken::period_of(std::size_t sensor) const {
+  const Taken* latest = find(latest_of_.at(sensor));
+  const auto before = placed_before_latest_of(sensor);
+  return latest && before ? latest->at - find(*before)->at : 0.0;
+}
+
 WaySince::WaySince(const LooksTaken& looks, const Whereabouts& robot)
     : looks_(looks), robot_(robot), ways_(robot.or_else.empty() ? 0 : looks.size()) {}
 

@@ -45,6 +45,9 @@ class LooksTaken {
   /// How many are not forgotten: the latest.
   std::size_t size() const { return taken_.size(); }
 
+  /// [s] between the latest two looks of a sensor that were placed by a stamp; 0 if they are forgotten.
+  double period_of(std::size_t sensor) const;
+
   /// Of how many sensors.
   std::size_t sensors() const { return latest_of_.size(); }
 

@@ -216,7 +216,9 @@ void OutOfSight::recall(const std::vector<KeptPlace>& places, const Whereabouts&
   for (const KeptPlace& one : places) {
     const Point2 at = there.pose.place + turn(one.place);
     const auto height = static_cast<float>(one.height);
-    add_to(places_, {at.x, at.y, height, {height, height}, looks[one.sensor], now, now, one.off, 0.0, believed});
+    RememberedPlace place{at.x, at.y, height, {height, height}, looks[one.sensor], now, now, one.off, 0.0, believed};
+    place.is_recalled = true;
+    add_to(places_, place);
   }
   for (const auto& [sensor, look] : looks) looks_.take(sensor, now);  // what it shows by now is not that
 }

@@ -40,6 +40,7 @@ struct RememberedPlace {
   double off = 0.0;      ///< [m] by which it may have been displaced as it was seen, or before this frame rested
   double drifted = 0.0;  ///< [m] and by which the way since may be off, as seen from the robot
   std::uint8_t looks = 1, away = 0;
+  bool is_recalled = false;  ///< another process kept it, and nobody shows it in this one
   bool is_too_near = false;  ///< nothing returns there in its sensor's latest look, which does not measure so near
 
   SomeSensors looked_past = {};  ///< since it was shown last, though it is shown by the latest look of who showed it

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <random>
 
 #include "robot_with_sensors.hpp"
 
@@ -31,6 +32,8 @@ struct RobotBeforeAPost : RobotWithSensors {
   }
 
   Camera camera;
+  double missing = 0.0;  ///< share of the scans that measure nothing of the post
+  std::mt19937 random{1};
   Pose2 pose;
   double post = 1.0;  ///< [m] where its front stands, in the resting frame
   int looks = 0;
@@ -44,11 +47,12 @@ struct RobotBeforeAPost : RobotWithSensors {
     control.note_odometry(now.ros, pose, twist);
     see(picture().view(), xtion(), 0);
     if (++looks % 2 != 0) return;
+    const bool is_missed = std::uniform_real_distribution<double>(0.0, 1.0)(random) < missing;
     for (std::size_t i = 0; i < ranges.size(); ++i) {
       const double bearing = pose.heading + first_bearing + static_cast<double>(i) * pi / 180.0;
       const double range = ahead() / std::cos(bearing);
       const bool meets = ahead() > 0.0 && range > 0.0 && std::abs(range * std::sin(bearing)) < half_width;
-      ranges[i] = !meets ? 5.0f : range < range_min ? nan : static_cast<float>(range);
+      ranges[i] = !meets ? 5.0f : range < range_min || is_missed ? nan : static_cast<float>(range);
     }
     see_scan(1);
   }
@@ -91,6 +95,42 @@ TEST(DisagreeingSensors, WhatACameraNeverSawIsNotSeenToGo) {
       EXPECT_LT(robot.ahead(), robot.range_min) << static_cast<int>(camera) << ", " << speed;
     }
   }
+}
+
+/// A laser does not measure all that is black, or glass, in each turn.
+TEST(DisagreeingSensors, ThatALaserMeasuresNothingNowAndThenSaysNothing) {
+  for (const Camera camera : {Camera::SeesThrough, Camera::GetsNothing}) {
+    for (const double missing : {0.3, 0.7}) {
+      RobotBeforeAPost robot(camera);
+      robot.missing = missing;
+      double given = 0.0, least = 1.0;
+      for (int i = 0; i < 300; ++i) {
+        robot.goes({given, 0.0, 0.0});
+        given = robot.wants({0.3, 0.0, 0.0}).given.linear[0];
+        least = std::min(least, robot.left());
+      }
+      EXPECT_GT(least, 0.02) << static_cast<int>(camera) << ", " << missing;
+    }
+  }
+}
+
+TEST(DisagreeingSensors, WhatAnotherProcessKeptIsNotSeenToGoByWhoMayNotSeeIt) {
+  RobotBeforeAPost robot(Camera::SeesThrough), next(Camera::SeesThrough);
+  double given = 0.0;
+  for (int i = 0; i < 300; ++i) {
+    robot.goes({given, 0.0, 0.0});
+    given = robot.wants({0.3, 0.0, 0.0}).given.linear[0];
+  }
+  next.now = robot.now, next.pose = robot.pose;
+  ASSERT_TRUE(next.control.recall(robot.control.remembered()));
+  double least = 1.0;
+  given = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    next.goes({given, 0.0, 0.0});
+    given = next.wants({0.3, 0.0, 0.0}).given.linear[0];
+    least = std::min(least, next.left());
+  }
+  EXPECT_GT(least, 0.02);
 }
 
 /// What has really gone while both look is free as soon as the laser says so.
