@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "guard/contradiction.hpp"
 #include "guard/recalled_places.hpp"
 
 namespace safety_control_cloud {
@@ -14,8 +13,10 @@ namespace {
 constexpr const char* what_frees =
     "a sensor sees past that, or after memory_time, or after ~reset, when somebody has looked";
 constexpr const char* what_frees_who_strayed = "after memory_time, or after ~reset, when somebody has looked";
-constexpr double begins_after = 0.2;  ///< [s] that odometry must go on before it is asked
-constexpr double soon = 0.05;         ///< [s] in which no base comes to move much otherwise
+constexpr double begins_after = 0.2;   ///< [s] that odometry must go on before it is asked
+constexpr double gap = 0.2;            ///< [s] between two looks, of which one is to be a second ago
+constexpr double most_off_pace = 0.2;  ///< of a second: by so much ROS time may differ from it
+constexpr double soon = 0.05;          ///< [s] in which no base comes to move much otherwise
 
 }  // namespace
 
@@ -43,6 +44,7 @@ void GuardMemory::forget() {
   told_since_.reset();
   strayed_.reset();
   contradicted_.reset();
+  contradictions_ = {};
 }
 
 /// As of the latest look that somebody knows the place of.
@@ -110,21 +112,31 @@ bool GuardMemory::has_strayed(const Instant& now) const {
   return !by_odometry_ && strayed_ && now.steady - *strayed_ <= limits_.places.time;
 }
 
-/// A child frame that is turned, a sign that is wrong, a gyroscope that has died: all that is remembered lies
-/// elsewhere.
+/// A child frame that is turned, a sign that is wrong: all that is remembered lies elsewhere. Who simulates slowly is
+/// told nothing of how long a command held.
 void GuardMemory::note_contradiction(const Went& went, const Instant& now) {
-  if (!by_odometry_) return;
-  const double until = std::min(now.ros, went.odometry.spoke_until()), since = until - contradicts_for;
-  const auto from = went.odometry.pose_at(since), to = went.odometry.pose_at(until);
-  if (!from || !to) return;
-  const auto as_told = [&](double stamp) { return went.given.whereabouts_at(now.steady - (now.ros - stamp)).or_else; };
-  const std::vector<Pose2> before = as_told(since), there = as_told(until);
+  while (!looked_.empty() && now.steady - looked_.front().steady > compared_over + gap) looked_.pop_front();
+  looked_.push_back(now);
+  const Instant& then = looked_.front();
+  const double steady = now.steady - then.steady;
+  const bool keeps_pace = std::abs(now.ros - then.ros - steady) <= most_off_pace * steady;
+  if (!by_odometry_ || steady < compared_over || !keeps_pace) return;
+  const Compared latest = compared_since(then, went, now);
+  contradictions_.note(latest, now.steady);
+  if (latest.contradiction && contradictions_.prevail())
+    contradicted_ = Contradicted{now.steady, is_contradicted(now), *latest.contradiction};
+  if (contradicted_ && out_of_sight_.has_seen_any(now.steady)) contradicted_->misplaces = true;
+}
+
+Compared GuardMemory::compared_since(const Instant& then, const Went& went, const Instant& now) {
+  const double late = std::max(0.0, now.ros - went.odometry.spoke_until());  // [s]
+  const auto from = went.odometry.pose_at(then.ros - late), to = went.odometry.pose_at(now.ros - late);
+  if (!from || !to) return {};
+  const std::vector<Pose2> before = went.given.whereabouts_at(then.steady - late).or_else;
+  const std::vector<Pose2> there = went.given.whereabouts_at(now.steady - late).or_else;
   std::vector<Pose2> ways;
   for (std::size_t i = 0; i < std::min(before.size(), there.size()); ++i) ways.push_back(between(before[i], there[i]));
-  const bool misplaces = is_contradicted(now);
-  if (const auto how = contradiction(between(*from, *to), ways))
-    contradicted_ = Contradicted{now.steady, misplaces, *how};
-  if (contradicted_ && out_of_sight_.has_seen_any(now.steady)) contradicted_->misplaces = true;
+  return compared(between(*from, *to), ways);
 }
 
 /// And anything was near since. By such odometry no two looks show a thing at the same place, and the next ones see it

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <list>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "guard/contradiction.hpp"
 #include "guard/given.hpp"
 #include "guard/guard.hpp"
 #include "guard/kept_places.hpp"
@@ -92,6 +94,7 @@ class GuardMemory {
   Pose2 way_during(const Look& look, const Went& went, const Instant& now) const;
   std::optional<Whereabouts> whereabouts_at(double age, const Went& went, const Instant& now) const;
   void note_contradiction(const Went& went, const Instant& now);
+  static Compared compared_since(const Instant& then, const Went& went, const Instant& now);
   bool waits_for(const std::vector<GuardSensor>& sensors, const Instant& now) const;
   bool has_strayed(const Instant& now) const;
   bool is_contradicted(const Instant& now) const;
@@ -124,6 +127,8 @@ class GuardMemory {
   std::optional<double> told_since_;    ///< [s, steady] odometry broke off, and has not spoken since
   std::optional<double> strayed_;       ///< [s, steady] it went on by itself until then, as far as nobody knows
   std::optional<Contradicted> contradicted_;
+  Contradictions contradictions_;
+  std::deque<Instant> looked_;    ///< lately
   std::optional<double> jumped_;  ///< [s, ROS] since then odometry goes on, and not every sensor has looked
 };
 

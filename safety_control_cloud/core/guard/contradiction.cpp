@@ -7,10 +7,10 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double surely_gone = 0.08, gone_against = 0.05;    ///< [m]
-constexpr double surely_turned = 0.2, turned_against = 0.1;  ///< [rad]
-constexpr double most_turned = 1.2;                          ///< [rad] beyond it, ahead is not ahead any more
-constexpr double hardly = 0.1;                               ///< of the turn
+constexpr double lately = 10.0, enough = 0.3, longest_gap = 0.2;  ///< [s]
+constexpr double surely_gone = 0.08, gone_against = 0.05;         ///< [m]
+constexpr double surely_turned = 0.2, turned_against = 0.1;       ///< [rad]
+constexpr double most_turned = 1.2;                               ///< [rad] beyond it, ahead is not ahead any more
 
 /// What is common to all ways: the least, if it leads one way by all; or else nothing.
 template <class Of>
@@ -20,31 +20,43 @@ double surely(const std::vector<Pose2>& ways, Of of) {
   return of(*least) > 0.0 ? of(*least) : std::min(of(*most), 0.0);
 }
 
-bool is_against(double way, double as_told, double least_told, double least) {
-  return std::abs(as_told) >= least_told && way * as_told < 0.0 && std::abs(way) >= least;
+enum class Sense { Neither, Along, Against };
+
+/// Of a way along one axis.
+Sense sense_of(double way, double as_told, double least_told, double least) {
+  if (std::abs(as_told) < least_told || std::abs(way) < least) return Sense::Neither;
+  return way * as_told < 0.0 ? Sense::Against : Sense::Along;
 }
 
 }  // namespace
 
-std::optional<std::string> contradiction(const Pose2& way, const std::vector<Pose2>& as_told) {
-  if (as_told.empty()) return std::nullopt;
-  const auto turn_of = [](const Pose2& one) { return one.heading; };
-  const double turn = surely(as_told, turn_of);
-  if (is_against(way.heading, turn, surely_turned, turned_against))
-    return "it turns the other way than the base is told to";
-  const bool hardly_turns = std::abs(way.heading) < hardly * std::abs(turn);
-  if (std::abs(turn) >= surely_turned && hardly_turns && length_of(way.place) >= gone_against)
-    return "it does not turn, as the base is told to, and goes on";
+Compared compared(const Pose2& way, const std::vector<Pose2>& as_told) {
+  if (as_told.empty()) return {};
+  const double turn = surely(as_told, [](const Pose2& one) { return one.heading; });
+  const Sense turned = sense_of(way.heading, turn, surely_turned, turned_against);
+  if (turned == Sense::Against) return {false, "it turns the other way than the base is told to"};
   const auto turns_far = [](const Pose2& one) { return std::abs(one.heading) > most_turned; };
-  if (turns_far(way) || std::any_of(as_told.begin(), as_told.end(), turns_far)) return std::nullopt;
+  if (turns_far(way) || std::any_of(as_told.begin(), as_told.end(), turns_far)) return {turned == Sense::Along, {}};
   const double ahead = surely(as_told, [](const Pose2& one) { return one.place.x; });
   const double left = surely(as_told, [](const Pose2& one) { return one.place.y; });
-  if (is_against(way.place.x, ahead, surely_gone, gone_against))
-    return ahead > 0.0 ? "it goes backward, and the base is told to go ahead"
-                       : "it goes ahead, and the base is told to go backward";
-  if (is_against(way.place.y, left, surely_gone, gone_against) && std::abs(turn) < turned_against)
-    return "it goes to the other side than the base is told to";
-  return std::nullopt;
+  const Sense went = sense_of(way.place.x, ahead, surely_gone, gone_against);
+  if (went == Sense::Against)
+    return {false, ahead > 0.0 ? "it goes backward, and the base is told to go ahead"
+                               : "it goes ahead, and the base is told to go backward"};
+  const Sense slid =
+      std::abs(turn) < turned_against ? sense_of(way.place.y, left, surely_gone, gone_against) : Sense::Neither;
+  if (slid == Sense::Against) return {false, "it goes to the other side than the base is told to"};
+  const auto senses = {turned, went, slid};
+  return {std::find(senses.begin(), senses.end(), Sense::Along) != senses.end(), {}};
 }
+
+void Contradictions::note(const Compared& one, double now) {
+  const double time = std::clamp(noted_ ? now - *noted_ : 0.0, 0.0, longest_gap), kept = std::exp(-time / lately);
+  noted_ = now;
+  against_ = kept * against_ + (one.contradiction ? time : 0.0);
+  along_ = kept * along_ + (one.agrees ? time : 0.0);
+}
+
+bool Contradictions::prevail() const { return against_ >= enough && against_ > along_; }
 
 }  // namespace safety_control_cloud

@@ -9,12 +9,30 @@
 
 namespace safety_control_cloud {
 
-/// [s] that is long enough for it, and short enough for a turn not to lead back.
-constexpr double contradicts_for = 1.0;
+/// [s] that is long enough to compare ways over, and short enough for a turn not to lead back.
+constexpr double compared_over = 1.0;
 
-/// In words, how odometry contradicts what the base was told: it went or turned the other way, or went on without the
-/// turn; none: it does not. `way` is odometry's, `as_told` are those between which the base went if it did as it was
-/// told. A robot at rest is none: somebody may have pressed its stop button, or it may be blocked.
-std::optional<std::string> contradiction(const Pose2& way, const std::vector<Pose2>& as_told);
+/// A way by odometry, beside what the base was told.
+struct Compared {
+  bool agrees = false;                       ///< it went or turned as the base did for sure, if that obeyed
+  std::optional<std::string> contradiction;  ///< in words, how it went or turned the other way
+};
+
+/// `way` is odometry's, `as_told` are those between which the base went if it did as it was told. To rest is neither,
+/// nor is to go on without the turn: somebody may have pressed a stop button, a base may not turn as slowly, or be kept
+/// from it.
+Compared compared(const Pose2& way, const std::vector<Pose2>& as_told);
+
+/// Whether odometry is wrong, and not the robot pushed, rolling back, or slow to turn about: of the time of late in
+/// which both can be compared, in most of it odometry contradicts. Times are steady [s].
+class Contradictions {
+ public:
+  void note(const Compared& one, double now);
+  bool prevail() const;
+
+ private:
+  double against_ = 0.0, along_ = 0.0;  ///< [s], the longer ago the less
+  std::optional<double> noted_;
+};
 
 }  // namespace safety_control_cloud

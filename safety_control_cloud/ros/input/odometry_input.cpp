@@ -3,9 +3,11 @@
 
 #include <ros/transport_hints.h>
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
+#include "../../core/input/angle.hpp"
 #include "../graph/named_in.hpp"
 #include "poses.hpp"
 
@@ -13,7 +15,11 @@ namespace safety_control_cloud {
 namespace {
 
 constexpr double patience = 5.0;             // [s]
+constexpr double most_moved = 0.03;          // [m] and [rad], of what is fixed on the robot
 constexpr std::uint32_t most_waiting = 100;  // a second or two, so that a thread that is kept waiting hears all of it
+
+/// As tf had it, before tf2.
+std::string without_slash(const std::string& frame) { return frame.substr(frame.compare(0, 1, "/") == 0 ? 1 : 0); }
 
 }  // namespace
 
@@ -51,7 +57,7 @@ void OdometryInput::on_message(const ros::MessageEvent<nav_msgs::Odometry const>
   beat_();
   const nav_msgs::Odometry& odometry = *event.getConstMessage();
   note_publisher(event.getPublisherName());
-  const auto base = base_in(odometry.child_frame_id);
+  const auto base = base_in(odometry);
   if (!base) return;
   const auto& twist = odometry.twist.twist;
   control_.note_odometry(odometry.header.stamp.toSec(), pose_of(odometry.pose.pose),
@@ -59,19 +65,26 @@ void OdometryInput::on_message(const ros::MessageEvent<nav_msgs::Odometry const>
 }
 
 /// Where base_frame is in it. Some drivers leave the name empty.
-std::optional<Pose2> OdometryInput::base_in(const std::string& child_frame) {
-  const std::string frame = child_frame.substr(child_frame.compare(0, 1, "/") == 0 ? 1 : 0);  // as tf had it, before tf2
+std::optional<Pose2> OdometryInput::base_in(const nav_msgs::Odometry& odometry) {
+  const std::string frame = without_slash(odometry.child_frame_id);
   const std::string& base = control_.settings().base_frame;
   if (frame == base || frame.empty()) return Pose2{};
-  try {
-    return pose_of(buffer_.lookupTransform(frame, base, ros::Time(0)).transform);
-  } catch (const tf2::TransformException& problem) {
-    if (!warned_of_frame_ && (ros::SteadyTime::now() - began_).toSec() > patience) {
-      warn_("odometry is of " + frame + ", and TF does not tell where " + base + " is in it: no odometry; " +
-            problem.what());
-      warned_of_frame_ = true;
-    }
+  const auto is_none_for = [&](const std::string& reason) {
+    if (!warned_of_frame_) warn_("odometry is of " + frame + ", " + reason);
+    warned_of_frame_ = true;
     return std::nullopt;
+  };
+  if (frame == without_slash(odometry.header.frame_id)) return is_none_for("the frame in which it tells: no odometry");
+  try {
+    const Pose2 place = pose_of(buffer_.lookupTransform(frame, base, ros::Time(0)).transform);
+    if (!fixed_) fixed_ = place;
+    const Pose2 moved = between(*fixed_, place);
+    if (length_of(moved.place) + std::abs(wrapped(moved.heading)) > most_moved)
+      return is_none_for("on which " + base + " moves: no odometry");
+    return place;
+  } catch (const tf2::TransformException& problem) {
+    if ((ros::SteadyTime::now() - began_).toSec() <= patience) return std::nullopt;
+    return is_none_for("and TF does not tell where " + base + " is in it: no odometry; " + problem.what());
   }
 }
 

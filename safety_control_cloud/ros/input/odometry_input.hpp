@@ -31,7 +31,7 @@ class OdometryInput {
 
  private:
   void on_message(const ros::MessageEvent<nav_msgs::Odometry const>& event);
-  std::optional<Pose2> base_in(const std::string& child_frame);
+  std::optional<Pose2> base_in(const nav_msgs::Odometry& odometry);
   void note_publisher(const std::string& name);
   void warn_of_frame_that_nobody_knows();
 
@@ -42,6 +42,7 @@ class OdometryInput {
   std::optional<TfOdometry> transforms_;
   ros::Subscriber subscriber_;
   std::string latest_, before_;  ///< who publishes: the latest, and the latest other one
+  std::optional<Pose2> fixed_;   ///< where base_frame is in another frame of which it tells, as at first
   bool warned_of_frame_ = false, warned_of_two_ = false;
   const ros::SteadyTime began_ = ros::SteadyTime::now();
 };

@@ -2,6 +2,7 @@
 """One guard that is handed the messages of a bag, each at the time at which it was recorded."""
 from __future__ import annotations
 
+from math import hypot, remainder, tau
 from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
 
 from safety_control_cloud.headings import heading_of
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from safety_control_cloud.replay.guard.show import Show
 
 LONG = 60.0  # [s] without a message
+MOST_MOVED = 0.03  # [m] and [rad], of what is fixed on the robot, as in ros/input/odometry_input.cpp
 
 
 class Reading:
@@ -42,6 +44,7 @@ class Reading:
         self.start = self._latest = 0  # [ns] of the bag
         self._warnings: List[str] = []
         self._unplaced_odometry: Optional[str] = None
+        self._fixed: Optional[Pose] = None  # base_frame in the frame of odometry, as at first
         moving = transforms_in(bags)
         self._moving = {topic.name for topic in moving}
         self.topics = [*(topic for source in inputs.sensors for topic in source.topics), *inputs.of_base, *moving]
@@ -72,18 +75,22 @@ class Reading:
             with self._bags.understanding(message):
                 content = self._bags.content_of(message)
                 odometry = odometry_in(content)
-            base = self._base_in(content.child_frame_id.lstrip("/"))
+            base = self._base_in(content.child_frame_id.lstrip("/"), content.header.frame_id.lstrip("/"))
             if base is not None:
                 self._drive.note_odometry(*odometry, message.time, base)
 
-    def _base_in(self, frame: str) -> Optional[Pose]:
+    def _base_in(self, frame: str, told_in: str) -> Optional[Pose]:
         """Where base_frame is in it, as ros/input/odometry_input.cpp has it; None: nobody says."""
         base = self._inputs.settings.base_frame
         if frame in ("", base):
             return (0.0, 0.0, 0.0)
-        known = self._places.latest(frame, base)
-        self._unplaced_odometry = None if known else f"odometry is of {frame}, and no transform tells where {base} is in it: no odometry"
-        return pose_in(known) if known else None
+        known = self._places.latest(frame, base) if frame != told_in else None
+        place = pose_in(known) if known else None
+        self._fixed = self._fixed or place
+        if place and self._fixed and has_moved(self._fixed, place):
+            place = None
+        self._unplaced_odometry = None if place else f"odometry is of {frame}, and no transform tells where {base} is fixed in it: no odometry"
+        return place
 
     def end(self) -> List[str]:
         """What is to be told of the bag. Raises BagError also where nothing of a required sensor can be believed."""
@@ -128,6 +135,11 @@ def command_in(message: Any) -> Tuple[Tuple[float, ...], Optional[float]]:
     twist = getattr(message, "twist", message)
     stamp = None if not hasattr(message, "header") else header_in(message).seconds
     return (*_numbers(twist.linear), *_numbers(twist.angular)), stamp
+
+
+def has_moved(before: Pose, now: Pose) -> bool:
+    turned = remainder(now[2] - before[2], tau)
+    return hypot(now[0] - before[0], now[1] - before[1]) + abs(turned) > MOST_MOVED
 
 
 def odometry_in(message: Any) -> Tuple[float, Tuple[float, float, float], Tuple[float, float, float]]:
