@@ -19,7 +19,7 @@ BLOCK = 1 << 18  # [byte] of a file at once: they are hashed while they lie in t
 LENGTH = 16  # hexadecimal digits that are shown of a hash
 JUDGES = (  # the modules that a verdict or an answer depends on, besides the core
     "headings.py", "judge/bag.py", "judge/drive.py", "judge/guard/reading.py", "judge/guard/rows.py", "judge/reading.py",
-    "judge/rows.py", "judge/table.py", "replay/bags.py", "replay/compressed.py", "replay/eyes.py", "replay/guard/counts.py",
+    "judge/rows.py", "judge/table.py", "pinhole.py", "replay/bags.py", "replay/compressed.py", "replay/eyes.py", "replay/guard/counts.py",
     "replay/guard/drive.py", "replay/guard/inputs.py", "replay/guard/poses.py", "replay/guard/reading.py",
     "replay/guard/scans.py", "replay/guard/seen.py", "replay/guard/switches.py", "replay/parameters.py", "replay/places.py",
     "replay/topics.py", "replay/wire.py")
