@@ -57,6 +57,8 @@ def test_a_reset_that_waited_while_the_node_was_stopped_is_refused(master):
         robot.process.send(signal.SIGCONT)
         assert (answer.result(10.0).success, answer.result().message) == (
             False, "refused: this node had stood still until just now; ask again")
+        robot.keeps(0.0, 0.5)  # STALE, as long as clouds of meanwhile wait in the socket
+        robot.camera.changes()
         robot.stops("NEAR_LOSS", within=AGAIN)
 
 
