@@ -67,7 +67,8 @@ bool Forgetting::showed_it(const RememberedPlace& place) const { return looks_.f
 bool Forgetting::is_shown_by_another(const RememberedPlace& place) const {
   if (showed_it(place) || place.away > 0) return false;
   const LooksTaken::Taken& shown = *looks_.find(place.look);
-  return now_ - shown.at <= std::max(shows_for, 2.0 * looks_.period_of(shown.sensor));
+  const double age = now_ - shown.at;
+  return age <= shows_for || age <= 2.0 * looks_.period_of(shown.sensor);
 }
 
 /// A scan is, of what it showed: what a camera saw a few millimetres beside its plane it looks past. Who looked past it

@@ -63,6 +63,7 @@ class Suspects {
     return true;
   }
   void add(std::size_t point) {
+    points_.erase(std::remove(points_.begin(), points_.end(), point), points_.end());
     if (points_.size() == most) points_.pop_back();
     points_.insert(points_.begin(), point);
   }
