@@ -21,6 +21,7 @@ TESTED_AS = {
     "lost_from_sight": "guard/known_places_test and blindness_test: what becomes of a robot by it",
     "memory/cut_off": "leaving_below_test: where a robot stands for it",
     "memory/step_columns": "low_obstacles_test and strays_on_the_floor_test: what becomes of a step by it",
+    "odometry_check": "guard/contradiction_test: what becomes of a robot by it",
     "sensor_settings": "guard/guard_settings_test and perception_test",
     "input/kind": "tests/ros/taking_test.cpp: names of what is taken",
     **dict.fromkeys(["guard/cells", "guard/eye", "guard/lists", "guard/new_ground"],

@@ -13,10 +13,8 @@ namespace {
 constexpr const char* what_frees =
     "a sensor sees past that, or after memory_time, or after ~reset, when somebody has looked";
 constexpr const char* what_frees_who_strayed = "after memory_time, or after ~reset, when somebody has looked";
-constexpr double begins_after = 0.2;   ///< [s] that odometry must go on before it is asked
-constexpr double gap = 0.2;            ///< [s] between two looks, of which one is to be a second ago
-constexpr double most_off_pace = 0.2;  ///< of a second: by so much ROS time may differ from it
-constexpr double soon = 0.05;          ///< [s] in which no base comes to move much otherwise
+constexpr double begins_after = 0.2;  ///< [s] that odometry must go on before it is asked
+constexpr double soon = 0.05;         ///< [s] in which no base comes to move much otherwise
 
 }  // namespace
 
@@ -30,11 +28,13 @@ GuardMemory::Limits::Limits(const Settings& settings)
       margin(settings.margin),
       fastest{settings.max_speed, 0.0, settings.max_turn} {}
 
-GuardMemory::GuardMemory(const Settings& settings) : limits_(settings), out_of_sight_(limits_.places) {}
+GuardMemory::GuardMemory(const Settings& settings)
+    : limits_(settings), out_of_sight_(limits_.places), check_(limits_.places.time) {}
 
 void GuardMemory::adopt(const Settings& settings) {
   limits_ = Limits(settings);
   out_of_sight_.limit(limits_.places);
+  check_.keep_for(limits_.places.time);
 }
 
 void GuardMemory::forget() {
@@ -43,8 +43,7 @@ void GuardMemory::forget() {
   jumped_.reset();
   told_since_.reset();
   strayed_.reset();
-  contradicted_.reset();
-  contradictions_ = {};
+  check_.forget();
 }
 
 /// As of the latest look that somebody knows the place of.
@@ -112,42 +111,11 @@ bool GuardMemory::has_strayed(const Instant& now) const {
   return !by_odometry_ && strayed_ && now.steady - *strayed_ <= limits_.places.time;
 }
 
-/// A child frame that is turned, a sign that is wrong: all that is remembered lies elsewhere. Who simulates slowly is
-/// told nothing of how long a command held.
-void GuardMemory::note_contradiction(const Went& went, const Instant& now) {
-  while (!looked_.empty() && now.steady - looked_.front().steady > compared_over + gap) looked_.pop_front();
-  looked_.push_back(now);
-  const Instant& then = looked_.front();
-  const double steady = now.steady - then.steady;
-  const bool keeps_pace = std::abs(now.ros - then.ros - steady) <= most_off_pace * steady;
-  if (!by_odometry_ || steady < compared_over || !keeps_pace) return;
-  const Compared latest = compared_since(then, went, now);
-  contradictions_.note(latest, now.steady);
-  if (latest.contradiction && contradictions_.prevail())
-    contradicted_ = Contradicted{now.steady, is_contradicted(now), *latest.contradiction};
-  if (contradicted_ && out_of_sight_.has_seen_any(now.steady)) contradicted_->misplaces = true;
-}
-
-Compared GuardMemory::compared_since(const Instant& then, const Went& went, const Instant& now) {
-  const double late = std::max(0.0, now.ros - went.odometry.spoke_until());  // [s]
-  const auto from = went.odometry.pose_at(then.ros - late), to = went.odometry.pose_at(now.ros - late);
-  if (!from || !to) return {};
-  const std::vector<Pose2> before = went.given.whereabouts_at(then.steady - late).or_else;
-  const std::vector<Pose2> there = went.given.whereabouts_at(now.steady - late).or_else;
-  std::vector<Pose2> ways;
-  for (std::size_t i = 0; i < std::min(before.size(), there.size()); ++i) ways.push_back(between(before[i], there[i]));
-  return compared(between(*from, *to), ways);
-}
-
-/// And anything was near since. By such odometry no two looks show a thing at the same place, and the next ones see it
-/// gone: nothing need be kept by now.
-bool GuardMemory::is_contradicted(const Instant& now) const {
-  return contradicted_ && contradicted_->misplaces && now.steady - contradicted_->at <= limits_.places.time;
-}
-
 std::optional<Pose2> GuardMemory::note(std::size_t sensor, const Look& look, const Went& went, const Instant& now) {
   choose_whereabouts(look.stamp, went, now);
-  note_contradiction(went, now);
+  const bool is_compared = check_.note_look(by_odometry_ ? &went.odometry : nullptr, went.given, now);
+  if (is_compared && check_.has_contradicted() && out_of_sight_.has_seen_any(now.steady))
+    check_.note_that_something_was_near();
   const double came_after = now.ros - look.stamp;  // [s]
   const auto robot = whereabouts_at(came_after, went, now);
   if (robot) {
@@ -240,8 +208,8 @@ std::optional<Doubt> GuardMemory::doubt_at(const Instant& now, const Went& went,
   const bool is_placed_by_odometry = by_odometry_ && out_of_sight_.holds_any(now.steady);
   if (is_placed_by_odometry && went.odometry.breaks() != breaks_)
     return in_doubt("odometry jumped or paused, and what is out of sight cannot be placed");
-  if (is_contradicted(now))
-    return in_doubt("odometry cannot be right: " + contradicted_->how + "; what is out of sight cannot be placed");
+  if (const auto how = check_.contradiction_at(now.steady))
+    return in_doubt("odometry cannot be right: " + *how + "; what is out of sight cannot be placed");
   if (has_strayed(now))
     return in_doubt("this node stood still as the robot drove, and what is out of sight cannot be placed");
   if (recalled_) return in_doubt("no odometry, and what was out of sight before this start cannot be placed");
@@ -257,7 +225,7 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
   Known known;
   known.sensor = "memory";
   known.doubt = doubt_at(now, went, sensors);
-  if (has_strayed(now) || is_contradicted(now)) known.hint = what_frees_who_strayed;
+  if (has_strayed(now) || check_.contradiction_at(now.steady)) known.hint = what_frees_who_strayed;
   if (known.doubt) return {known};
   jumped_.reset();
   if (!out_of_sight_.holds_any(now.steady)) return {};

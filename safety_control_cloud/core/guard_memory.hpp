@@ -2,19 +2,18 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <list>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "guard/contradiction.hpp"
 #include "guard/given.hpp"
 #include "guard/guard.hpp"
 #include "guard/kept_places.hpp"
 #include "guard/odometry.hpp"
 #include "guard/out_of_sight.hpp"
 #include "guard_sensor.hpp"
+#include "odometry_check.hpp"
 #include "settings.hpp"
 
 namespace safety_control_cloud {
@@ -93,11 +92,8 @@ class GuardMemory {
   static Drift foretold_at(double stamp, const Went& went, const Instant& now);
   Pose2 way_during(const Look& look, const Went& went, const Instant& now) const;
   std::optional<Whereabouts> whereabouts_at(double age, const Went& went, const Instant& now) const;
-  void note_contradiction(const Went& went, const Instant& now);
-  static Compared compared_since(const Instant& then, const Went& went, const Instant& now);
   bool waits_for(const std::vector<GuardSensor>& sensors, const Instant& now) const;
   bool has_strayed(const Instant& now) const;
-  bool is_contradicted(const Instant& now) const;
   std::vector<Known> placed_by_odometry(const Known& like, const Around& around, const std::vector<bool>& shows);
   std::vector<Known> placed_as_told(Known like, const Around& around, const std::vector<GuardSensor>& sensors,
                                     const std::vector<bool>& shows);
@@ -110,15 +106,9 @@ class GuardMemory {
     Whereabouts as_told;  ///< the same by what the base was told
   };
 
-  /// Odometry, by what the base was told.
-  struct Contradicted {
-    double at;        ///< [s, steady] for the last time
-    bool misplaces;   ///< anything was near since
-    std::string how;  ///< in words
-  };
-
   Limits limits_;
   OutOfSight out_of_sight_;
+  OdometryCheck check_;
   std::list<std::vector<Ring>> rings_;  ///< as they were asked for last: of all sensors, or of each
   bool by_odometry_ = false;            ///< it is known where that is; or else by what the base was told
   std::size_t breaks_ = 0;              ///< of the odometry, after which that began
@@ -126,10 +116,7 @@ class GuardMemory {
   std::optional<Latest> latest_;        ///< look that was placed
   std::optional<double> told_since_;    ///< [s, steady] odometry broke off, and has not spoken since
   std::optional<double> strayed_;       ///< [s, steady] it went on by itself until then, as far as nobody knows
-  std::optional<Contradicted> contradicted_;
-  Contradictions contradictions_;
-  std::deque<Instant> looked_;    ///< lately
-  std::optional<double> jumped_;  ///< [s, ROS] since then odometry goes on, and not every sensor has looked
+  std::optional<double> jumped_;        ///< [s, ROS] since then odometry goes on, and not every sensor has looked
 };
 
 }  // namespace safety_control_cloud

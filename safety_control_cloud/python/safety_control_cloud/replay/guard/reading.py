@@ -2,7 +2,6 @@
 """One guard that is handed the messages of a bag, each at the time at which it was recorded."""
 from __future__ import annotations
 
-from math import hypot, remainder, tau
 from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
 
 from safety_control_cloud.headings import heading_of
@@ -10,7 +9,7 @@ from safety_control_cloud.replay.bags import BagError, Bags, Recorded
 from safety_control_cloud.replay.eyes import Sighting
 from safety_control_cloud.replay.guard.drive import GuardDrive, Told
 from safety_control_cloud.replay.guard.inputs import Inputs
-from safety_control_cloud.replay.guard.poses import Pose, Poses, pose_in
+from safety_control_cloud.replay.guard.poses import BasePlace, Poses
 from safety_control_cloud.replay.guard.scans import any_eye_for
 from safety_control_cloud.replay.guard.seen import Seen
 from safety_control_cloud.replay.guard.switches import Switch
@@ -22,7 +21,6 @@ if TYPE_CHECKING:
     from safety_control_cloud.replay.guard.show import Show
 
 LONG = 60.0  # [s] without a message
-MOST_MOVED = 0.03  # [m] and [rad], of what is fixed on the robot, as in ros/input/odometry_input.cpp
 
 
 class Reading:
@@ -30,6 +28,7 @@ class Reading:
         """`told` hears of each answer, `show` of each picture."""
         self._bags, self._inputs, self._told, self._show = bags, inputs, told, show
         self._places, settings = Places(bags), inputs.settings
+        self._base = BasePlace(self._places, settings.base_frame)
         self._poses = Poses(self._places, settings.odom_frame, settings.base_frame) if settings.odom_frame else None
         self._switches: Dict[str, List[Switch]] = {}
         for switch in inputs.switches:
@@ -43,8 +42,6 @@ class Reading:
         self._drive: Optional[GuardDrive] = None
         self.start = self._latest = 0  # [ns] of the bag
         self._warnings: List[str] = []
-        self._unplaced_odometry: Optional[str] = None
-        self._fixed: Optional[Pose] = None  # base_frame in the frame of odometry, as at first
         moving = transforms_in(bags)
         self._moving = {topic.name for topic in moving}
         self.topics = [*(topic for source in inputs.sensors for topic in source.topics), *inputs.of_base, *moving]
@@ -75,22 +72,9 @@ class Reading:
             with self._bags.understanding(message):
                 content = self._bags.content_of(message)
                 odometry = odometry_in(content)
-            base = self._base_in(content.child_frame_id.lstrip("/"), content.header.frame_id.lstrip("/"))
+            base = self._base.within(content.child_frame_id, content.header.frame_id)
             if base is not None:
                 self._drive.note_odometry(*odometry, message.time, base)
-
-    def _base_in(self, frame: str, told_in: str) -> Optional[Pose]:
-        """Where base_frame is in it, as ros/input/odometry_input.cpp has it; None: nobody says."""
-        base = self._inputs.settings.base_frame
-        if frame in ("", base):
-            return (0.0, 0.0, 0.0)
-        known = self._places.latest(frame, base) if frame != told_in else None
-        place = pose_in(known) if known else None
-        self._fixed = self._fixed or place
-        if place and self._fixed and has_moved(self._fixed, place):
-            place = None
-        self._unplaced_odometry = None if place else f"odometry is of {frame}, and no transform tells where {base} is fixed in it: no odometry"
-        return place
 
     def end(self) -> List[str]:
         """What is to be told of the bag. Raises BagError also where nothing of a required sensor can be believed."""
@@ -103,8 +87,8 @@ class Reading:
                 if seen.is_required:
                     raise BagError(problem)
                 self._warnings.append(problem)
-        if self._unplaced_odometry:
-            self._warnings.append(self._unplaced_odometry)
+        if self._base.why_unknown:
+            self._warnings.append(self._base.why_unknown)
         said = {switch.name for switch in self._inputs.switches}
         self._warnings += [f"nothing of the switch {one['name']} was recorded: it is taken for released"
                            for one in self._inputs.settings.switches if one["name"] not in said]
@@ -135,11 +119,6 @@ def command_in(message: Any) -> Tuple[Tuple[float, ...], Optional[float]]:
     twist = getattr(message, "twist", message)
     stamp = None if not hasattr(message, "header") else header_in(message).seconds
     return (*_numbers(twist.linear), *_numbers(twist.angular)), stamp
-
-
-def has_moved(before: Pose, now: Pose) -> bool:
-    turned = remainder(now[2] - before[2], tau)
-    return hypot(now[0] - before[0], now[1] - before[1]) + abs(turned) > MOST_MOVED
 
 
 def odometry_in(message: Any) -> Tuple[float, Tuple[float, float, float], Tuple[float, float, float]]:
