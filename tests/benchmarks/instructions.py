@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Instructions that one look() at a VGA cloud takes, counted by callgrind: the figure that moves with no machine.
 
-The way "near_loss" is with the memory of what came near, and NearLoss::judge().
+The way "near_loss" is with the memory of what came near, and NearLoss::judge(); "gather" with what a guard does in the
+same pass.
 """
 import json
 import re
@@ -14,8 +15,8 @@ PROGRAMS = [ROOT / "build" / "tests" / "benchmarks" / name for name in ("kernel_
 STORED = Path(__file__).with_name("instructions.json")
 POINTS = 640 * 480
 STEPS = (2, 4, 12, 16, 20, 32)  # [byte] of a point; 2 and 4 are depth images
-WAYS = ("look", "near_loss")
-COUNTED = {"AVX2": WAYS, "SSE4": WAYS, "GNU_AVX2": ("look",)}  # of what valgrind can run; the memory is the same without Highway
+WAYS = ("look", "near_loss", "gather")
+COUNTED = {"AVX2": WAYS, "SSE4": WAYS, "GNU_AVX2": ("look", "gather")}  # of what valgrind can run; the memory is the same without Highway
 CASES = [(name, step, way) for name, ways in COUNTED.items() for step in STEPS for way in ways]
 
 

@@ -25,5 +25,8 @@ def test_the_kernel_takes_no_more_instructions_than_it_did(allowed, name, step, 
     program = instructions.counted_sets().get(name)
     if program is None:
         pytest.skip(f"{name} is not in this build")
+    key = f"{name}/step_{step}/{way}"
+    if key not in allowed:
+        pytest.skip(f"no count of {key} is stored for {instructions.compiler()}")
     counted = instructions.instructions_per_point(program, step, name, way)
-    assert counted <= GROWTH * allowed[f"{name}/step_{step}/{way}"]
+    assert counted <= GROWTH * allowed[key]

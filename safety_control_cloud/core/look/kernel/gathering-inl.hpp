@@ -40,9 +40,11 @@ struct Gathering {
   HWY_INLINE void note_placed(const Points& placed, Mask returning) {
     const Mask within = hn::And(returning, bounds.hold(placed));
     if (hn::AllFalse(Floats(), within)) return;
-    list_lanes(placed.x, within, Floats(), found->x.data() + size);
-    list_lanes(placed.y, within, Floats(), found->y.data() + size);
-    size += list_lanes(placed.z, within, Floats(), found->z.data() + size);
+    const Chosen chosen(within);
+    chosen.write(placed.x, found->x.data() + size);
+    chosen.write(placed.y, found->y.data() + size);
+    chosen.write(placed.z, found->z.data() + size);
+    size += chosen.size();
   }
 };
 

@@ -103,9 +103,9 @@ struct Listing {
   HWY_INLINE void take(const Source& points, std::size_t from, std::size_t column) {
     const Mask inside = Found(points.at(from), walls, place).inside;
     if (hn::AllFalse(Floats(), inside)) return;  // most of most clouds
-    const Integer columns = hn::Iota(Integers(), static_cast<std::uint32_t>(column));
-    std::uint32_t* end = found->columns.data() + found->size;
-    found->size += list_lanes(columns, hn::RebindMask(Integers(), inside), Integers(), end);
+    const Chosen chosen(inside);
+    chosen.write(hn::Iota(Integers(), static_cast<std::uint32_t>(column)), found->columns.data() + found->size);
+    found->size += chosen.size();
   }
 };
 
