@@ -236,7 +236,12 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
   known.ways = {Pose2{}};
   rings_.clear();
   const Around around{robot, guard.reach(0.0, known.law), now.steady};
-  return by_odometry_ ? placed_by_odometry(known, around, shows) : placed_as_told(known, around, sensors, shows);
+  auto all = by_odometry_ ? placed_by_odometry(known, around, shows) : placed_as_told(known, around, sensors, shows);
+  if (limits_.places.speed > 0.0) {
+    known.is_at_large = true;
+    all.push_back(with(out_of_sight_.rings_at_large(robot, around.reach, around.now, shows), known));
+  }
+  return all;
 }
 
 std::vector<Known> GuardMemory::placed_by_odometry(const Known& like, const Around& around,

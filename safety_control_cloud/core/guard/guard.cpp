@@ -47,6 +47,13 @@ bool may_leave(const Known& known, const Twist2& wanted) {
   return leads_away_from(*known.eye, wanted) || (known.is_placed && !ahead);
 }
 
+/// What may have come there meanwhile would be seen.
+bool leads_where_somebody_looks(const Outline& outline, const std::vector<Known>& known, const Twist2& twist) {
+  return std::any_of(known.begin(), known.end(), [&](const Known& one) {
+    return !one.lost && one.eye && leads_to_where_it_looks(outline, *one.eye, twist);
+  });
+}
+
 /// What the whole of a motion would run into, where the part of it that is left clears all.
 Contact on_the_path(const Outline& outline, const Obstacles& obstacles, const Twist2& wanted) {
   const Sweep sweep(outline, wanted);
@@ -84,7 +91,9 @@ Allowed Guard::allowed(const Twist2& wanted, const UnderWay& under_way, const st
   const Twist2 slower = limited(wanted, capped.factor);
   const UnderWay of_slower{under_way.twists, std::min(1.0, under_way.slowing / capped.factor)};
   Allowed seen;
-  for (const Known& one : known) seen = lesser(std::move(seen), by_sight(slower, of_slower, one));
+  for (const Known& one : known)
+    if (!one.is_at_large || !leads_where_somebody_looks(outline_, known, slower))
+      seen = lesser(std::move(seen), by_sight(slower, of_slower, one));
   if (seen.factor >= 1.0) return capped;
   seen.in_view = capped.in_view;
   seen.factor *= capped.factor;

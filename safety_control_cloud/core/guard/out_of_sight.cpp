@@ -22,6 +22,7 @@ constexpr double kept_share = 0.75;           ///< of them where there are too m
 /// [m] Places are told apart by these; what may be off by more than the last is as the one that is off the most.
 constexpr std::array<double, 12> displaced = {0.015, 0.02, 0.03, 0.045, 0.07, 0.12, 0.2, 0.3, 0.45, 0.7, 1.0, 1.5};
 constexpr double rests_for = 0.3;  ///< [s] between two looks that show the same place
+constexpr double stays_for = 1.0;  ///< [s] likewise: whoever stands so long is not about to walk
 constexpr double own_size = 0.01;  ///< [m] by which a return may lie beside the place of its cell
 
 /// Of the key of a place that is shown once more, where what was there may be elsewhere: it goes as any other.
@@ -132,17 +133,26 @@ void OutOfSight::note_who_does_not_see(Place& shown, const Place& before) const 
   shown.do_not_see.remove(looks_.find(shown.look)->sensor);
 }
 
-/// A thin thing before a noisy sensor is seen in another cell by each look.
-void OutOfSight::take_over_from_beside(Place& shown) const {
+/// Whether it is so of any place within two cells, from the nearest on.
+template <class Is>
+bool OutOfSight::any_beside(const Place& place, Is is) const {
   for (const double ahead : {0.0, 1.0, -1.0, 2.0, -2.0}) {
     for (const double left : {0.0, 1.0, -1.0, 2.0, -2.0}) {
-      const auto beside = places_.find(key_of(Point2{shown.x, shown.y} + cell * Point2{ahead, left}, shown.z));
-      if (beside == places_.end()) continue;
-      shown.looks = std::max(shown.looks, looks_of(beside->second));
-      if (shown.looks == believed && looks_.sensors() == 1) return;
-      note_who_does_not_see(shown, beside->second);
+      const auto beside = places_.find(key_of(Point2{place.x, place.y} + cell * Point2{ahead, left}, place.z));
+      if (beside != places_.end() && is(beside->second)) return true;
     }
   }
+  return false;
+}
+
+/// A thin thing before a noisy sensor is seen in another cell by each look.
+void OutOfSight::take_over_from_beside(Place& shown) const {
+  any_beside(shown, [&](const Place& beside) {
+    shown.looks = std::max(shown.looks, looks_of(beside));
+    if (shown.looks == believed && looks_.sensors() == 1) return true;
+    note_who_does_not_see(shown, beside);
+    return false;
+  });
 }
 
 /// Of a place that the present look shows too.
@@ -162,6 +172,11 @@ bool OutOfSight::holds_any(double now) const {
 bool OutOfSight::has_seen_any(double now) const {
   return std::any_of(places_.begin(), places_.end(),
                      [&](const auto& entry) { return shown_by(entry.second, now) != nullptr; });
+}
+
+/// It, or a part of the same thing before a noisy sensor.
+bool OutOfSight::was_staying(const Place& place) const {
+  return any_beside(place, [](const Place& beside) { return beside.last_seen - beside.first_seen >= stays_for; });
 }
 
 template <class Visit>
@@ -248,6 +263,16 @@ std::vector<Ring> OutOfSight::rings(const Whereabouts& robot, double reach, doub
   std::vector<Ring> rings(displaced.size(), Ring{reach, {}});
   for_each_unseen(robot, reach, now, shows,
                   [&](const Place&, const Here& here) { add_to(rings, here.place, here.off); });
+  return rings;
+}
+
+/// What lies within that of it by now may be here then.
+std::vector<Ring> OutOfSight::rings_at_large(const Whereabouts& robot, double reach, double now,
+                                             const std::vector<bool>& shows) const {
+  std::vector<Ring> rings(displaced.size(), Ring{reach, {}});
+  for_each_unseen(robot, reach + displaced.back(), now, shows, [&](const Place& place, const Here& here) {
+    if (!was_staying(place)) add_to(rings, here.place, here.off + limits_.speed * (now - place.last_seen));
+  });
   return rings;
 }
 

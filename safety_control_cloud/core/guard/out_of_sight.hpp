@@ -87,6 +87,10 @@ class OutOfSight {
   /// may have been displaced meanwhile. `shows`: of each sensor, whether its latest look is believed still.
   std::vector<Ring> rings(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows) const;
 
+  /// The same of what was not seen to stay where it was: wherever it may have gone since, as fast as obstacles are.
+  std::vector<Ring> rings_at_large(const Whereabouts& robot, double reach, double now,
+                                   const std::vector<bool>& shows) const;
+
   /// The same of what each sensor saw.
   std::vector<Rings> rings_of_each(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows,
                                    const AsksFor& asks) const;
@@ -106,6 +110,9 @@ class OutOfSight {
   void drift(const Drift& way, const Point2& robot);
   void make_room(const Point2& robot);
   bool counts(const Place& place, double now) const;
+  template <class Is>
+  bool any_beside(const Place& place, Is is) const;
+  bool was_staying(const Place& place) const;
   template <class Visit>
   void for_each(const Whereabouts& robot, double now, Visit visit) const;
   template <class Visit>

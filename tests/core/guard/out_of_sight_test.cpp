@@ -48,6 +48,48 @@ TEST(OutOfSight, WhatWouldFreeWhoStandsForItIsSaid) {
   EXPECT_NE(answer.hint.find("memory_time"), std::string::npos) << answer.hint;
 }
 
+const Twist2 back{-0.3, 0.0, 0.0}, ahead{0.3, 0.0, 0.0};
+
+Settings among_people(double speed) {
+  Settings settings = remembering();
+  settings.obstacle_speed = speed;
+  return settings;
+}
+
+void shows_somebody_who_walks_out_of_the_picture(RobotWithOdometry& robot) {
+  for (float beside = 0.3f; beside < 0.8f; beside += 0.015f) robot.passes(0.05, Scene({post(0.8f, beside)}));
+  robot.passes(3.0, robot.hall);
+}
+
+/// Where somebody looks he would be seen.
+TEST(OutOfSight, WhoWalkedOnMayBeWhereNobodyLooks) {
+  for (const bool has_odometry : {true, false}) {
+    RobotWithOdometry robot(among_people(0.3)), resting(among_people(0.0));
+    robot.has_odometry = resting.has_odometry = has_odometry;
+    for (RobotWithOdometry* one : {&robot, &resting}) shows_somebody_who_walks_out_of_the_picture(*one);
+    EXPECT_EQ(resting.wants(back).factor, 1.0) << "nothing moves";
+    EXPECT_EQ(robot.wants(ahead).factor, 1.0) << robot.wants(ahead).reason;
+    EXPECT_EQ(robot.wants(back).factor, 0.0);
+    EXPECT_EQ(robot.wants(back).sensor, "memory");
+    EXPECT_NE(robot.wants(back).hint.find("memory_time"), std::string::npos);
+    robot.passes(30.0, robot.hall);
+    EXPECT_EQ(robot.wants(back).factor, 1.0) << robot.wants(back).reason;
+  }
+}
+
+/// Away from where who is not known to stay was last, a robot may leave.
+TEST(OutOfSight, WhatStoodForAWhileIsWhereItStood) {
+  const auto factor_after = [](double seconds) {
+    RobotWithOdometry robot(among_people(0.3));
+    robot.passes(seconds, with_post);
+    robot.turns(quarter, robot.hall);
+    robot.passes(3.0, robot.hall);
+    return robot.wants(back).factor;
+  };
+  EXPECT_EQ(factor_after(1.5), 1.0);
+  EXPECT_LE(factor_after(0.5), among_people(0.3).escape_speed / 0.3 + 1e-9);
+}
+
 /// However little odometry is trusted: where a thing is is known the less, and it counts the more.
 TEST(OutOfSight, OdometryThatDriftsLetsNothingBeForgotten) {
   double before = 1.0;
