@@ -22,6 +22,7 @@ ONE_CAMERA = "nodelet_with_one_camera"
 NODELETS = ("nodelet", ONE_CAMERA)
 SIDES = ("ours", "floor", *NODELETS)
 COMMANDS_A_CLOUD = 5
+WITH_COLOURS = 32  # [byte] a point
 NODE = "/safety_control_cloud"
 PARAMETERS: Dict[str, Any] = {
     "mode": "guard",
@@ -81,10 +82,13 @@ def drive(side: str, commands: int) -> Mapping[str, Any]:
     return met
 
 
-def driven(guards: Sequence[Sequence[str]], commands: int, sensors: int) -> Mapping[str, Any]:
-    """What the driver says of so many commands, with the first so many sensors: guard_drive.cpp."""
+def driven(guards: Sequence[Sequence[str]], commands: int, sensors: int, point_step: int = WITH_COLOURS) -> Mapping[str, Any]:
+    """What the driver says of so many commands, with the first so many sensors: guard_drive.cpp.
+
+    A camera that is a process of its own sends so many bytes a point.
+    """
     forget()
-    cameras = [[str(PROGRAMS / "guard_drive"), "cameras", str(sensors)]] if guards else []
+    cameras = [[str(PROGRAMS / "guard_drive"), "cameras", str(sensors), str(point_step)]] if guards else []
     with ExitStack() as stack:
         for camera in cameras:
             stack.enter_context(process(camera))

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Somebody's commands at 50 Hz, and the time from each to what the base is told, beside two cameras and a laser at 20
 // Hz, or the first camera alone. With the processes' ids: they guard, and the cameras are a process of their own, as on
-// a robot: `guard_drive cameras SENSORS`. Without: a nodelet guards, in this process, and so do the cameras send.
+// a robot: `guard_drive cameras SENSORS [POINT_STEP]`. Without: a nodelet guards, in this process, and so do the
+// cameras send.
 #include <geometry_msgs/Twist.h>
 #include <nodelet/loader.h>
 #include <ros/callback_queue.h>
@@ -10,6 +11,7 @@
 
 #include <boost/make_shared.hpp>
 #include <cmath>
+#include <cstddef>
 #include <iostream>
 #include <iterator>
 #include <map>
@@ -73,11 +75,11 @@ class Ticks {
 
 class Cameras {
  public:
-  /// The first so many sensors send.
-  Cameras(int sensors, bool in_process)
+  /// The first so many sensors send, the cameras `point_step` [byte] a point.
+  Cameras(int sensors, bool in_process, std::size_t point_step = with_colours)
       : sensors_(sensors),
-        front_("front/points", cloud_of("front"), in_process),
-        rear_("rear/points", cloud_of("rear"), in_process),
+        front_("front/points", cloud_of("front", point_step), in_process),
+        rear_("rear/points", cloud_of("rear", point_step), in_process),
         laser_("scan", scan_of("laser"), in_process) {}
 
   void look(long moment) {
@@ -215,8 +217,8 @@ void run(int commands, int sensors, const std::vector<pid_t>& guards) {
   report(latencies, {use_of(guards).cpu - cpu, time, drive.clouds() - clouds, drive.said() - said});
 }
 
-void run_cameras(int sensors) {
-  Cameras cameras(sensors, false);
+void run_cameras(int sensors, std::size_t point_step) {
+  Cameras cameras(sensors, false, point_step);
   Ticks ticks;
   while (ros::ok()) cameras.look(ticks.next());
 }
@@ -225,15 +227,17 @@ void run_cameras(int sensors) {
 }  // namespace safety_control_cloud
 
 int main(int argc, char** argv) {
-  const bool shows = argc == 3 && argv[1] == std::string("cameras");
+  const bool shows = (argc == 3 || argc == 4) && argv[1] == std::string("cameras");
   ros::init(argc, argv, shows ? "guard_cameras" : "guard_drive", ros::init_options::NoRosout);
   if (argc < 3) {
-    std::cerr << "Usage: " << argv[0] << " COMMANDS SENSORS [PID...]\n       " << argv[0] << " cameras SENSORS\n";
+    std::cerr << "Usage: " << argv[0] << " COMMANDS SENSORS [PID...]\n       " << argv[0]
+              << " cameras SENSORS [POINT_STEP]\n";
     return 2;
   }
   const ros::NodeHandle keeps_the_threads_running;
   if (shows) {
-    safety_control_cloud::run_cameras(std::stoi(argv[2]));
+    using safety_control_cloud::run_cameras, safety_control_cloud::with_colours;
+    run_cameras(std::stoi(argv[2]), argc == 4 ? std::stoul(argv[3]) : with_colours);
     return 0;
   }
   std::vector<pid_t> guards;

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,11 @@
 
 namespace safety_control_cloud {
 
-inline sensor_msgs::PointCloud2 cloud_of(const std::string& frame) {
+constexpr std::size_t with_colours = 32;  ///< [byte] a point, as depth_image_proc's xyzrgb; 16: its xyz
+
+inline sensor_msgs::PointCloud2 cloud_of(const std::string& frame, std::size_t point_step = with_colours) {
   CameraPicture picture;
-  picture.point_step = 32;
+  picture.point_step = point_step;
   picture.nan_share = 0.3;
   auto message = message_of(picture);
   message.header.frame_id = frame;

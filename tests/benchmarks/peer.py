@@ -2,17 +2,19 @@
 """safety_limiter (at-wat/neonavigation) beside the guard: one VGA camera at 20 Hz, commands at 50 Hz, one node at a time.
 
 At its own defaults, and at the guard's wherever it has a setting of the same meaning. A node that hears the same and
-passes every command is what the transport takes of both.
+passes every command is what the transport takes of both. The camera's clouds are depth_image_proc's: of 16 bytes a
+point, as a TurtleBot's camera/depth/points are, and of 32, with colours.
 """
 from dataclasses import asdict, dataclass
 from math import cos, pi, sin
-from typing import Any, Callable, Dict, List, Mapping, Sequence
+from typing import Any, Callable, Dict, Iterator, List, Mapping, Sequence, Tuple
 
 import guard
 from peer_checkout import PACKAGE as PEER
 from repetitions import Plan, Timing, in_turn, timing_of, worst_and_median
 from rich.table import Table as RichTable
 
+POINT_STEPS = (16, guard.WITH_COLOURS)  # [byte]
 SIDES = ("ours", "floor", "peer", "peer_as_ours")
 PEERS = SIDES[2:]
 NAMES = {"ours": "the guard", "floor": "passes all", "peer": PEER, "peer_as_ours": f"{PEER}, set as the guard"}
@@ -31,11 +33,12 @@ class Cost:
     unanswered: float  # share of the commands, passed over for a later one
 
 
-Table = Dict[str, Cost]
+Costs = Dict[str, Cost]  # of each side
+Table = Dict[int, Costs]  # by point step [byte]
 
 
-def cases(plan: Plan) -> Sequence[str]:
-    return SIDES
+def cases(plan: Plan) -> Sequence[Tuple[int, str]]:
+    return [(point_step, side) for point_step in POINT_STEPS for side in SIDES]
 
 
 def measure(plan: Plan, done: Callable[[], None]) -> Table:
@@ -44,12 +47,14 @@ def measure(plan: Plan, done: Callable[[], None]) -> Table:
 
     values = parameters_of(core.Settings(mode="guard").as_dict())
 
-    def drive(side: str) -> Mapping[str, Any]:
+    def drive(case: Tuple[int, str]) -> Mapping[str, Any]:
+        point_step, side = case
         command = [[str(plan.peer), "cloud:=front/points"]] if side in PEERS else guard.commands_of(side)
         with guard.parameters(values[side]):
-            return guard.driven(command, plan.clouds * guard.COMMANDS_A_CLOUD, sensors=1)
+            return guard.driven(command, plan.clouds * guard.COMMANDS_A_CLOUD, 1, point_step)
 
-    return {side: cost_of(met) for side, met in in_turn(SIDES, plan, drive, done).items()}
+    met = in_turn(cases(plan), plan, drive, done)
+    return {point_step: {side: cost_of(met[point_step, side]) for side in SIDES} for point_step in POINT_STEPS}
 
 
 def parameters_of(settings: Mapping[str, Any]) -> Dict[str, Dict[str, Any]]:
@@ -98,32 +103,38 @@ def cost_of(met: Sequence[Mapping[str, Any]]) -> Cost:
     )
 
 
-def above_floor(table: Table, side: str) -> float:
+def above_floor(costs: Costs, side: str) -> float:
     """[ms] of CPU a cloud."""
-    return max(table[side].cpu_ms.median - table["floor"].cpu_ms.median, LEAST)
+    return max(costs[side].cpu_ms.median - costs["floor"].cpu_ms.median, LEAST)
 
 
 def figures(table: Table) -> Dict[str, Dict[str, float]]:
-    ours = table["ours"]
+    beside = [(costs, peer) for costs in table.values() for peer in PEERS]
     return {
-        "peer_cpu_vs_guard": worst_and_median((table[peer].cpu_ms.median / ours.cpu_ms.median for peer in PEERS), min),
-        "peer_cpu_vs_guard_above_floor": worst_and_median((above_floor(table, peer) / above_floor(table, "ours") for peer in PEERS), min),
-        "guard_vga_p99_ms": worst_and_median([ours.latency_p99_ms.median]),
-        "peer_p99_ms": worst_and_median(table[peer].latency_p99_ms.median for peer in PEERS),
+        "peer_cpu_vs_guard": worst_and_median((costs[peer].cpu_ms.median / costs["ours"].cpu_ms.median for costs, peer in beside), min),
+        "peer_cpu_vs_guard_above_floor": worst_and_median((above_floor(costs, peer) / above_floor(costs, "ours") for costs, peer in beside), min),
+        "guard_vga_p99_ms": worst_and_median(costs["ours"].latency_p99_ms.median for costs in table.values()),
+        "peer_p99_ms": worst_and_median(costs[peer].latency_p99_ms.median for costs, peer in beside),
     }
 
 
 def table_of(table: Table) -> RichTable:
-    shown = RichTable("node", title="The guard and its peer: a VGA camera at 20 Hz, commands at 50 Hz")
+    shown = RichTable("bytes a point", "node", title="The guard and its peer: a VGA camera at 20 Hz, commands at 50 Hz")
     for heading in ("command to answer [ms]", "p99", "never", "CPU a cloud [ms]", "x the guard's", "above passing all [ms]", "x the guard's"):
         shown.add_column(heading, justify="right")
-    for side, cost in table.items():
-        above, ours = above_floor(table, side), above_floor(table, "ours")
-        rest = ("-", "-") if side == "floor" else (f"{above:.2f}", f"{above / ours:.1f}")
-        times = f"{cost.cpu_ms.median / table['ours'].cpu_ms.median:.1f}"
-        shown.add_row(NAMES[side], f"{cost.latency_ms.median:.2f}", ranged(cost.latency_p99_ms), f"{cost.unanswered:.0%}",
-                      ranged(cost.cpu_ms), times, *rest)
+    for point_step, costs in table.items():
+        for row in rows_of(costs):
+            shown.add_row(str(point_step), *row)
     return shown
+
+
+def rows_of(costs: Costs) -> Iterator[Sequence[str]]:
+    for side, cost in costs.items():
+        above, ours = above_floor(costs, side), above_floor(costs, "ours")
+        rest = ("-", "-") if side == "floor" else (f"{above:.2f}", f"{above / ours:.1f}")
+        times = f"{cost.cpu_ms.median / costs['ours'].cpu_ms.median:.1f}"
+        yield (NAMES[side], f"{cost.latency_ms.median:.2f}", ranged(cost.latency_p99_ms), f"{cost.unanswered:.0%}",
+               ranged(cost.cpu_ms), times, *rest)
 
 
 def ranged(timing: Timing) -> str:
@@ -131,4 +142,4 @@ def ranged(timing: Timing) -> str:
 
 
 def as_json(table: Table) -> List[Dict[str, object]]:
-    return [{"side": side, **asdict(cost)} for side, cost in table.items()]
+    return [{"point_step": point_step, "side": side, **asdict(cost)} for point_step, costs in table.items() for side, cost in costs.items()]

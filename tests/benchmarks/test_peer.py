@@ -10,7 +10,7 @@ import peer
 import peer_build
 import pytest
 from peer_checkout import checkout_of
-from repetitions import Timing
+from repetitions import Plan, Timing
 
 from safety_control_cloud import core
 from safety_control_cloud.processes import ProcessError
@@ -175,6 +175,10 @@ def test_it_is_set_as_the_guard_or_left_at_its_own():
 
 
 def table(**cpu_ms: float) -> peer.Table:
+    return {16: costs(**cpu_ms)}
+
+
+def costs(**cpu_ms: float) -> peer.Costs:
     return {side: peer.Cost(Timing(1, 1, 1), Timing(2, 2, 3), Timing(cpu, cpu, cpu), 0.0) for side, cpu in cpu_ms.items()}
 
 
@@ -182,6 +186,12 @@ def test_the_worst_figure_is_of_the_settings_that_suit_the_peer_better():
     figures = peer.figures(table(ours=2.0, floor=1.5, peer=14.0, peer_as_ours=20.0))
     assert figures["peer_cpu_vs_guard"] == {"worst": 7.0, "median": 8.5}
     assert figures["peer_cpu_vs_guard_above_floor"]["worst"] == 25.0
+
+
+def test_the_worst_figure_is_of_the_clouds_that_suit_the_peer_better():
+    little, much = costs(ours=2.0, floor=1.5, peer=14.0, peer_as_ours=20.0), costs(ours=4.0, floor=2.0, peer=14.0, peer_as_ours=20.0)
+    assert peer.figures({16: little, 32: much})["peer_cpu_vs_guard"]["worst"] == 3.5
+    assert peer.figures({16: little, 32: much})["peer_cpu_vs_guard_above_floor"]["worst"] == 6.0
 
 
 def test_a_guard_that_is_not_told_from_the_floor_has_a_finite_ratio():
@@ -194,6 +204,7 @@ def test_a_command_that_a_later_one_passed_over_counts_as_unanswered():
 
 
 def test_the_table_has_a_row_for_each_and_a_meaning_for_each_figure():
-    shown = table(ours=2.0, floor=1.5, peer=14.0, peer_as_ours=20.0)
-    assert peer.table_of(shown).row_count == len(peer.SIDES)
+    of_each = costs(ours=2.0, floor=1.5, peer=14.0, peer_as_ours=20.0)
+    shown = {point_step: of_each for point_step in peer.POINT_STEPS}
+    assert peer.table_of(shown).row_count == len(peer.as_json(shown)) == len(peer.cases(Plan(quick=True, repetitions=1, clouds=1))) == 2 * len(peer.SIDES)
     assert set(peer.figures(shown)) <= set(measuring.MEANINGS)
