@@ -237,11 +237,16 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
   rings_.clear();
   const Around around{robot, guard.reach(0.0, known.law), now.steady};
   auto all = by_odometry_ ? placed_by_odometry(known, around, shows) : placed_as_told(known, around, sensors, shows);
-  if (limits_.places.speed > 0.0) {
-    known.is_at_large = true;
-    all.push_back(with(out_of_sight_.rings_at_large(robot, around.reach, around.now, shows), known));
-  }
+  if (limits_.places.speed > 0.0) all.push_back(at_large(known, around, sensors, shows));
   return all;
+}
+
+Known GuardMemory::at_large(Known like, const Around& around, const std::vector<GuardSensor>& sensors,
+                            const std::vector<bool>& shows) {
+  like.is_at_large = true;
+  for (std::size_t i = 0; i < sensors.size(); ++i)
+    if (const auto eye = sensors[i].eye(); eye && shows[i]) like.watched_by.push_back(*eye);
+  return with(out_of_sight_.rings_at_large(around.robot, around.reach, around.now, like.watched_by), like);
 }
 
 std::vector<Known> GuardMemory::placed_by_odometry(const Known& like, const Around& around,

@@ -97,6 +97,8 @@ class GuardMemory {
   std::vector<Known> placed_by_odometry(const Known& like, const Around& around, const std::vector<bool>& shows);
   std::vector<Known> placed_as_told(Known like, const Around& around, const std::vector<GuardSensor>& sensors,
                                     const std::vector<bool>& shows);
+  Known at_large(Known like, const Around& around, const std::vector<GuardSensor>& sensors,
+                 const std::vector<bool>& shows);
   Known with(std::vector<Ring> rings, Known like);
   std::optional<Doubt> doubt_at(const Instant& now, const Went& went, const std::vector<GuardSensor>& sensors) const;
 

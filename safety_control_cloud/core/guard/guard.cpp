@@ -47,12 +47,13 @@ bool may_leave(const Known& known, const Twist2& wanted) {
   return leads_away_from(*known.eye, wanted) || (known.is_placed && !ahead);
 }
 
-/// What may have come there meanwhile would be seen.
-bool leads_where_somebody_looks(const Outline& outline, const std::vector<Known>& known, const Twist2& twist) {
-  return std::any_of(known.begin(), known.end(), [&](const Known& one) {
-    return !one.lost && one.eye && leads_to_where_it_looks(outline, *one.eye, twist);
-  });
+/// Whether who may have come there meanwhile would be seen, if not too near for that.
+bool is_watched(const Outline& outline, const Known& known, const Twist2& twist) {
+  return std::any_of(known.watched_by.begin(), known.watched_by.end(),
+                     [&](const Eye& eye) { return leads_to_where_it_looks(outline, eye, twist); });
 }
+
+bool turns_to_what_is_beside(const Twist2& twist) { return speed_of(twist) > 0.0 && turns_sharply(twist); }
 
 /// What the whole of a motion would run into, where the part of it that is left clears all.
 Contact on_the_path(const Outline& outline, const Obstacles& obstacles, const Twist2& wanted) {
@@ -92,7 +93,7 @@ Allowed Guard::allowed(const Twist2& wanted, const UnderWay& under_way, const st
   const UnderWay of_slower{under_way.twists, std::min(1.0, under_way.slowing / capped.factor)};
   Allowed seen;
   for (const Known& one : known)
-    if (!one.is_at_large || !leads_where_somebody_looks(outline_, known, slower))
+    if (!one.is_at_large || !is_watched(outline_, one, slower) || turns_to_what_is_beside(slower))
       seen = lesser(std::move(seen), by_sight(slower, of_slower, one));
   if (seen.factor >= 1.0) return capped;
   seen.in_view = capped.in_view;
@@ -130,7 +131,8 @@ Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Kn
   Allowed least;
   if (ring.returns == 0) return least;
   const bool is_vague = is_shown && !known.is_missed && ring.obstacles.widening > well_known;
-  const double creeping = is_vague ? std::min(1.0, settings_.unseen_speed / fastest_point(outline_, wanted)) : 0.0;
+  const bool may_creep = is_vague || (known.is_at_large && is_watched(outline_, known, wanted));
+  const double creeping = may_creep ? std::min(1.0, settings_.unseen_speed / fastest_point(outline_, wanted)) : 0.0;
   const double off = counted_nearer(ring.obstacles.widening, known, is_shown, wanted);
   const double widening = off + half_of_gap(known.ways, std::sqrt(2.0) * ring.extent);
   if (!(outline_.margin() + widening <= most_margin))

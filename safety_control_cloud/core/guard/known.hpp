@@ -39,7 +39,8 @@ struct Known {
   bool is_reckoned = false;    ///< nobody knows well where it is: see Guard::by_ring
   bool is_missed = false;  ///< it is of that, but below the picture, above it or too near: it counts for who is shown
   std::optional<Eye> seen_by;  ///< that, if it looks still
-  bool is_at_large = false;    ///< it may have gone on since: it counts for what leads to where nobody looks
+  bool is_at_large = false;    ///< it may have gone on since: it counts where none of these looks, which would see it
+  std::vector<Eye> watched_by;
 };
 
 }  // namespace safety_control_cloud

@@ -23,6 +23,7 @@ constexpr double kept_share = 0.75;           ///< of them where there are too m
 constexpr std::array<double, 12> displaced = {0.015, 0.02, 0.03, 0.045, 0.07, 0.12, 0.2, 0.3, 0.45, 0.7, 1.0, 1.5};
 constexpr double rests_for = 0.3;  ///< [s] between two looks that show the same place
 constexpr double stays_for = 1.0;  ///< [s] likewise: whoever stands so long is not about to walk
+constexpr double one_step = 0.1;   ///< [m] more than anything goes from one look to the next, or is wide
 constexpr double own_size = 0.01;  ///< [m] by which a return may lie beside the place of its cell
 
 /// Of the key of a place that is shown once more, where what was there may be elsewhere: it goes as any other.
@@ -36,6 +37,13 @@ void add_to(std::unordered_map<std::uint64_t, RememberedPlace>& places, const Re
   if (places.emplace(key, place).second) return;
   const auto [beside, is_new] = places.emplace(key | elsewhere, place);
   if (!is_new) beside->second.off = std::max(beside->second.off, place.off);
+}
+
+/// Whether nobody gets out of what an eye sees from there in one step.
+bool sees_around(const Eye& eye, const Point2& place) {
+  const Point2 there = place - eye.place;
+  const Point2 beside = (one_step / std::max(length_of(there), one_step)) * Point2{-there.y, there.x};
+  return eye.sees(place - beside) && eye.sees(place) && eye.sees(place + beside);
 }
 
 /// By how much it may have been displaced.
@@ -266,12 +274,15 @@ std::vector<Ring> OutOfSight::rings(const Whereabouts& robot, double reach, doub
   return rings;
 }
 
-/// What lies within that of it by now may be here then.
+/// Who hides where somebody looks is seen as he comes from there.
 std::vector<Ring> OutOfSight::rings_at_large(const Whereabouts& robot, double reach, double now,
-                                             const std::vector<bool>& shows) const {
+                                             const std::vector<Eye>& eyes) const {
   std::vector<Ring> rings(displaced.size(), Ring{reach, {}});
-  for_each_unseen(robot, reach + displaced.back(), now, shows, [&](const Place& place, const Here& here) {
-    if (!was_staying(place)) add_to(rings, here.place, here.off + limits_.speed * (now - place.last_seen));
+  for_each(robot, now, [&](const Place& place, const Here& here) {
+    const double off = here.off + limits_.speed * (now - here.look.at);
+    if (here.range - off > reach || was_staying(place)) return;
+    const auto watches = [&](const Eye& eye) { return sees_around(eye, here.place); };
+    if (std::none_of(eyes.begin(), eyes.end(), watches)) add_to(rings, here.place, off);
   });
   return rings;
 }

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "eye.hpp"
 #include "horizon.hpp"
 #include "kept_places.hpp"
 #include "known_places.hpp"
@@ -87,9 +88,10 @@ class OutOfSight {
   /// may have been displaced meanwhile. `shows`: of each sensor, whether its latest look is believed still.
   std::vector<Ring> rings(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows) const;
 
-  /// The same of what was not seen to stay where it was: wherever it may have gone since, as fast as obstacles are.
+  /// What was not seen to stay where it was, and does not lie amidst what one of these sees: wherever it may have gone
+  /// since, as fast as obstacles are.
   std::vector<Ring> rings_at_large(const Whereabouts& robot, double reach, double now,
-                                   const std::vector<bool>& shows) const;
+                                   const std::vector<Eye>& eyes) const;
 
   /// The same of what each sensor saw.
   std::vector<Rings> rings_of_each(const Whereabouts& robot, double reach, double now, const std::vector<bool>& shows,

@@ -77,6 +77,37 @@ TEST(OutOfSight, WhoWalkedOnMayBeWhereNobodyLooks) {
   }
 }
 
+/// He may stand right beside the robot, where the picture of a robot that turns sharply shows him too late.
+TEST(OutOfSight, WhoTurnsSharplyAmongPeopleCreeps) {
+  Settings settings = among_people(0.3);
+  settings.unseen_speed = 0.1;
+  RobotWithOdometry robot(settings);
+  shows_somebody_who_walks_out_of_the_picture(robot);
+  EXPECT_LT(robot.wants({0.3, 0.0, 1.5}).factor, 0.6);
+  EXPECT_GT(robot.wants({0.3, 0.0, 1.5}).factor, 0.0);
+  EXPECT_EQ(robot.wants({0.3, 0.0, 0.2}).factor, 1.0) << robot.wants({0.3, 0.0, 0.2}).reason;
+}
+
+TEST(OutOfSight, WhoStaysInThePictureIsNotElsewhere) {
+  RobotWithOdometry robot(among_people(0.3));
+  for (int i = 0; i < 200; ++i)
+    robot.passes(0.05, Scene({post(1.0f + 0.2f * static_cast<float>(i % 40) / 40.0f, 0.0f)}));
+  EXPECT_EQ(robot.wants(back).factor, 1.0) << robot.wants(back).reason;
+}
+
+TEST(OutOfSight, WhoWalkedOnMayHaveFollowed) {
+  RobotWithOdometry robot(among_people(0.5));
+  shows_somebody_who_walks_out_of_the_picture(robot);
+  robot.twist = {0.4, 0.0, 0.0};
+  for (int i = 0; i < 300; ++i) {
+    robot.pose.place.x += 0.02;
+    robot.passes(0.05, robot.hall);
+  }
+  robot.twist = {};
+  robot.passes(3.0, robot.hall);
+  EXPECT_EQ(robot.wants(back).factor, 0.0) << robot.wants(back).reason;
+}
+
 /// Away from where who is not known to stay was last, a robot may leave.
 TEST(OutOfSight, WhatStoodForAWhileIsWhereItStood) {
   const auto factor_after = [](double seconds) {
