@@ -121,7 +121,9 @@ def test_comparing_two_settings_shows_where_they_differ_and_how_to_look(tmp_path
     (["x.bag", "--param", "danger_distnce=1"], "no parameter danger_distnce"),
     (["x.bag", "--param", "danger_distance=near"], "danger_distance cannot be 'near'"),
     (["x.bag", "--param", "danger_distance=-1"], "danger_distance"), (["x.bag", "--settings", "none.yaml"], "none.yaml"),
-    ([__file__, "--out", "/proc/nowhere"], "/proc/nowhere"), (["nope.bag"], "judge: nope.bag: no such file\n"),
+    ([__file__, "--out", "/proc/nowhere"], "judge: --out /proc/nowhere: "),
+    ([__file__, "--out", __file__], f"judge: --out {__file__}: File exists\n"),
+    ([__file__, "--out", "/tmp", "--report", __file__], f"judge: --report {__file__}: File exists\n"), (["nope.bag"], "judge: nope.bag: no such file\n"),
     (["nope.bag", "no*pe.bag"], "judge: no*pe.bag: nothing has such a name, or no bag in it\n"),
     (["x.bag", "--mode", "guard", "--param", "mode=drive"], "--mode guard and --param mode=drive are two")])
 def test_wrong_usage_is_exit_code_2_and_named(arguments, says):

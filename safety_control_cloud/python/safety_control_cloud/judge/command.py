@@ -32,10 +32,10 @@ def run(given: argparse.Namespace) -> int:
     end_on_sigterm()
     try:
         settings = _settings(given)
-        if given.report:
-            given.report.mkdir(parents=True, exist_ok=True)
         bags = bags_in(given.bags)
         refuse_nothing(given.bags)
+        _make("--out", given.out)
+        _make("--report", given.report)
     except (BadSettings, NoBags, OSError) as error:
         raise Unusable(str(error)) from error
     choice = Choice(tuple(given.topic), given.cmd_vel, given.odom)
@@ -47,6 +47,15 @@ def run(given: argparse.Namespace) -> int:
         raise interrupt_behind(error) or Unusable(str(error)) from error
     _show(given, settings, choice, rows)
     return SOME_UNREADABLE if any(row.status == "error" for row in rows) else 0
+
+
+def _make(option: str, folder: Optional[Path]) -> None:
+    """The folder, if one is given. Raises Unusable."""
+    try:
+        if folder:
+            folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise Unusable(f"{option} {folder}: {error.strerror}") from error
 
 
 def _settings(given: argparse.Namespace) -> List[Dict[str, Any]]:
