@@ -55,6 +55,11 @@ bool is_watched(const Outline& outline, const Known& known, const Twist2& twist)
 
 bool turns_to_what_is_beside(const Twist2& twist) { return speed_of(twist) > 0.0 && turns_sharply(twist); }
 
+/// Whether who may have walked on would be seen, but too late for more than going slowly.
+bool creeps(const Outline& outline, const Known& known, const Twist2& twist) {
+  return known.is_at_large && turns_to_what_is_beside(twist) && is_watched(outline, known, twist);
+}
+
 /// What the whole of a motion would run into, where the part of it that is left clears all.
 Contact on_the_path(const Outline& outline, const Obstacles& obstacles, const Twist2& wanted) {
   const Sweep sweep(outline, wanted);
@@ -92,9 +97,7 @@ Allowed Guard::allowed(const Twist2& wanted, const UnderWay& under_way, const st
   const Twist2 slower = limited(wanted, capped.factor);
   const UnderWay of_slower{under_way.twists, std::min(1.0, under_way.slowing / capped.factor)};
   Allowed seen;
-  for (const Known& one : known)
-    if (!one.is_at_large || !is_watched(outline_, one, slower) || turns_to_what_is_beside(slower))
-      seen = lesser(std::move(seen), by_sight(slower, of_slower, one));
+  for (const Known& one : known) seen = lesser(std::move(seen), by_sight(slower, of_slower, one));
   if (seen.factor >= 1.0) return capped;
   seen.in_view = capped.in_view;
   seen.factor *= capped.factor;
@@ -111,6 +114,7 @@ Allowed Guard::by_sight(const Twist2& wanted, const UnderWay& under_way, const K
   if (!known.rings) return standing(known.sensor, {Cause::NoCloud, "nothing has been seen yet"});
   const bool is_shown = known.is_reckoned && known.seen_by && leads_to_where_it_looks(outline_, *known.seen_by, wanted);
   if (known.is_missed && !is_shown) return least;  // it counts already, with all that is reckoned
+  if (known.is_at_large && !turns_to_what_is_beside(wanted) && is_watched(outline_, known, wanted)) return least;
   std::size_t nearer = 0;
   for (const Ring& ring : *known.rings) {
     least = lesser(std::move(least), by_ring(wanted, under_way, known, ring, nearer, is_shown));
@@ -131,8 +135,9 @@ Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Kn
   Allowed least;
   if (ring.returns == 0) return least;
   const bool is_vague = is_shown && !known.is_missed && ring.obstacles.widening > well_known;
-  const bool may_creep = is_vague || (known.is_at_large && is_watched(outline_, known, wanted));
-  const double creeping = may_creep ? std::min(1.0, settings_.unseen_speed / fastest_point(outline_, wanted)) : 0.0;
+  const double creeping = is_vague || creeps(outline_, known, wanted)
+                              ? std::min(1.0, settings_.unseen_speed / fastest_point(outline_, wanted))
+                              : 0.0;
   const double off = counted_nearer(ring.obstacles.widening, known, is_shown, wanted);
   const double widening = off + half_of_gap(known.ways, std::sqrt(2.0) * ring.extent);
   if (!(outline_.margin() + widening <= most_margin))

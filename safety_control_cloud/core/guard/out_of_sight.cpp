@@ -280,9 +280,10 @@ std::vector<Ring> OutOfSight::rings_at_large(const Whereabouts& robot, double re
   std::vector<Ring> rings(displaced.size(), Ring{reach, {}});
   for_each(robot, now, [&](const Place& place, const Here& here) {
     const double off = here.off + limits_.speed * (now - here.look.at);
-    if (here.range - off > reach || was_staying(place)) return;
+    if (here.range - off > reach) return;
     const auto watches = [&](const Eye& eye) { return sees_around(eye, here.place); };
-    if (std::none_of(eyes.begin(), eyes.end(), watches)) add_to(rings, here.place, off);
+    const bool is_watched = std::any_of(eyes.begin(), eyes.end(), watches);
+    if (!is_watched && !was_staying(place)) add_to(rings, here.place, off);
   });
   return rings;
 }
