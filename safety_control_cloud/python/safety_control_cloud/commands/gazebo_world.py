@@ -55,7 +55,7 @@ def _parsed(argv: list[str]) -> tuple[argparse.Namespace, list[str]]:
         formatter_class=argparse.ArgumentDefaultsHelpFormatter)
     parser.add_argument("--world", default="cabinet", help=f"{', '.join(world_names())}, or an MJCF file")
     what = parser.add_mutually_exclusive_group(required=True)
-    what.add_argument("--urdf", type=Path, help="the robot, with its plugins for Gazebo")
+    what.add_argument("--urdf", type=Path, default=argparse.SUPPRESS, help="the robot, with its plugins for Gazebo")
     what.add_argument("--window", action="store_true", help="only open Gazebo's window, for one that runs")
     parser.add_argument("--size", default="640x480", type=picture_size, help="of the camera's pictures [px]")
     parser.add_argument("--rate", default=1.0, type=not_negative, help="simulated seconds a real one; 0: as fast as it goes")
