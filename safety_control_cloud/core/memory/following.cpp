@@ -30,6 +30,7 @@ std::vector<Thing> follow(std::vector<Remembered>& things, std::vector<Thing> se
   for (const Thing& thing : before) remembered.push_back(&thing.spots);
   for (const Remembered& thing : things) remembered.push_back(&thing.lost);
   keep_hanging(seen, remembered);
+  keep_standing(seen, remembered);
   for (Thing& now : seen) {
     std::size_t best = things.size();
     const double least = now.at_border ? 0.05 : 0.25;  // what leaves the corridor may lose most of it in one step

@@ -19,7 +19,8 @@ bool any_hung(const Spots& remembered) {
 }
 
 /// Of several that are as near, any.
-bool nearest_hung(const Point& place, const Spots& remembered) {
+template <class Is>
+bool nearest_is(const Point& place, const Spots& remembered, Is is) {
   float least = farthest_step * farthest_step;
   bool any = false;
   for (const auto* spots : remembered) {
@@ -27,7 +28,7 @@ bool nearest_hung(const Point& place, const Spots& remembered) {
       const float away = squared_distance(spot.point, place);
       if (away > least || (away == least && any)) continue;
       least = away;
-      any = hung(spot);
+      any = is(spot);
     }
   }
   return any;
@@ -40,9 +41,17 @@ void keep_hanging(std::vector<Thing>& seen, const Spots& remembered) {
   for (Thing& now : seen) {
     for (Spot& spot : now.spots) {
       const bool may_hang = spot.foot_unseen || (spot.stands && spot.overhang > 0.0f);
-      spot.hung_before = may_hang && nearest_hung(spot.point, remembered);
+      spot.hung_before = may_hang && nearest_is(spot.point, remembered, hung);
       if (spot.hung_before) spot.stands = spot.foot_unseen = false;
     }
+  }
+}
+
+void keep_standing(std::vector<Thing>& seen, const Spots& remembered) {
+  const auto stood = [](const Spot& spot) { return spot.stands; };
+  for (Thing& now : seen) {
+    const auto was_standing = [&](const Spot& spot) { return nearest_is(spot.point, remembered, stood); };
+    if (now.is_edge && std::all_of(now.spots.begin(), now.spots.end(), was_standing)) now.stands = true;
   }
 }
 

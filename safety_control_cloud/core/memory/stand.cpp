@@ -19,6 +19,8 @@ constexpr float agreement = 0.15f;  ///< share by which the floor's range change
 /// The edge of what stands upright leans in the picture, as the robot pitches, by at most this share of its width: what
 /// a column shows near the edge reaches the floor in another one.
 constexpr std::size_t edge_share = 128;
+/// Of the rows below an edge, so many may show a stray return where something too near hides the floor: 1/share.
+constexpr std::size_t stray_share = 6;
 
 using Code = NearGround::Code;
 
@@ -45,7 +47,7 @@ class ColumnBelow {
     std::size_t lowest = ground_.row_at(foot_.row);
     const auto surface = surface_below(lowest);
     auto other = surface ? std::optional<Seen>(seen_in(*surface)) : std::nullopt;
-    if (!other || is_near(*other)) {
+    if (!other || is_near(*other) || !is_farther(*other)) {
       lowest = lowest_from(lowest);
       if (other && *surface >= lowest) other.reset();
     }
@@ -56,6 +58,19 @@ class ColumnBelow {
     if (other) return is_near(*other) || is_farther(*other) ? Stand::Hangs : Stand::Unseen;
     if (!below.gap && lowest < ground_.rows()) return Stand::Stands;
     return below.gap && !(below.ground && is_farther(*below.ground)) ? Stand::Unseen : Stand::Hangs;
+  }
+
+  /// Whether what has this foot goes on in this column.
+  bool goes_on() const {
+    const Point place = placed(picture_.at(foot_.row, ground_.picture_column(column_)), outlook_);
+    return std::abs(place.z - outlook_.camera().z - foot_.ahead) <= noise_;
+  }
+
+  /// Whether something too near to return hides all that this column would show, from the foot's row down.
+  bool is_hidden() const {
+    const std::size_t rows = std::min(ground_.row_at(foot_.row), ground_.rows());
+    return rows > 0 && !goes_on() && !surface_below(rows) &&
+           below_row(rows).blank * stray_share >= rows * (stray_share - 1);
   }
 
  private:
@@ -138,6 +153,54 @@ class ColumnBelow {
   const float noise_;  ///< [m]
 };
 
+/// What stands under one foot, by its own column or those beside it.
+class FootBelow {
+ public:
+  FootBelow(const Foot& foot, std::size_t edge, std::size_t most_blank, const NearGround& ground, const Pixels& picture,
+            const Outlook& outlook)
+      : foot_(foot), edge_(edge), most_blank_(most_blank), ground_(ground), picture_(picture), outlook_(outlook) {}
+
+  Stand stand() const {
+    const std::size_t column = ground_.column_at(foot_.column);
+    const Stand own = below(column).stand();
+    if (own != Stand::Hangs || !is_edge()) return own;
+    const std::size_t first = column - std::min(edge_, column), last = std::min(column + edge_, ground_.columns() - 1);
+    bool hidden = false;
+    for (std::size_t i = first; i <= last; ++i) {
+      hidden = hidden || below(i).is_hidden();
+    }
+    return hidden ? Stand::Unseen : own;
+  }
+
+  /// Whether the picture shows no more of it here than the edge of something that is itself too near to return.
+  bool is_edge() const {
+    const std::size_t most = edge_ * (ground_.picture_column(1) - ground_.picture_column(0));
+    return 1 + run<-1>(most) + run<+1>(most) <= most;
+  }
+
+ private:
+  ColumnBelow below(std::size_t column) const { return {foot_, column, most_blank_, ground_, picture_, outlook_}; }
+
+  /// So many pixels beside it, `most` at most, show it too.
+  template <int Way>
+  std::size_t run(std::size_t most) const {
+    std::size_t pixels = 0, column = foot_.column;
+    while (pixels < most && (Way < 0 ? column > 0 : column + 1 < picture_.width())) {
+      column += static_cast<std::size_t>(Way);
+      const Point place = placed(picture_.at(foot_.row, column), outlook_);
+      if (!(std::abs(place.z - outlook_.camera().z - foot_.ahead) <= noise_at(foot_.ahead))) break;
+      ++pixels;
+    }
+    return pixels;
+  }
+
+  const Foot& foot_;
+  const std::size_t edge_, most_blank_;
+  const NearGround& ground_;
+  const Pixels& picture_;
+  const Outlook& outlook_;
+};
+
 }  // namespace
 
 void place_on_ground(std::vector<Thing>& things, NearGround& ground, const Pixels& picture, const Outlook& outlook) {
@@ -149,12 +212,13 @@ void place_on_ground(std::vector<Thing>& things, NearGround& ground, const Pixel
   for (Thing& thing : things) {
     std::vector<char> stands(columns, false), unseen(columns, false);
     std::size_t standing = 0, hanging = 0;
+    thing.is_edge = !thing.feet.empty();
     for (const Foot& foot : thing.feet) {
       const std::size_t column = ground.column_at(foot.column);
       if (foot.ahead < ground.distance()) ground.note_near(column);
-      const Stand stand = foot.row + at_the_end >= height
-                              ? Stand::Stands
-                              : ColumnBelow(foot, column, most_blank, ground, picture, outlook).stand();
+      const FootBelow below(foot, edge, most_blank, ground, picture, outlook);
+      const Stand stand = foot.row + at_the_end >= height ? Stand::Stands : below.stand();
+      thing.is_edge = thing.is_edge && stand != Stand::Hangs && below.is_edge();
       standing += stand == Stand::Stands;
       hanging += stand == Stand::Hangs;
       for (std::size_t i = column - std::min(edge, column); i <= std::min(column + edge, columns - 1); ++i) {

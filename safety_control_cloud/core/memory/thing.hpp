@@ -68,6 +68,7 @@ struct Thing {
   bool stands = false;     ///< on the near floor, in most of its columns
   bool hangs = false;      ///< in most of its columns something farther away is seen below it
   bool is_slight = false;  ///< few pixels of many that a picture has: they may be false
+  bool is_edge = false;    ///< no more of it is seen than of something too near, and nowhere that it hangs
   bool at_border = false;  ///< of the picture or of the corridor: part of it may be out of sight
 };
 

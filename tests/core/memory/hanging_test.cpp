@@ -66,5 +66,24 @@ TEST(Hanging, WhatIsBelowIsSeenAsItIs) {
   EXPECT_FALSE(seen[0].spots[0].hung_before);
 }
 
+/// Of an edge at 0, above what hides its foot.
+bool stands_after(const std::vector<Spot>& shown, bool is_edge = true) {
+  std::vector<Thing> seen(1);
+  seen[0].spots = {spot_at(0.0f, false, true), spot_at(0.01f, false, true)};
+  seen[0].is_edge = is_edge;
+  keep_standing(seen, {&shown});
+  return seen[0].stands;
+}
+
+TEST(Hanging, AnEdgeStandsIfWhatIsNearestToEachPartOfItStood) {
+  EXPECT_TRUE(stands_after({standing}));
+  EXPECT_TRUE(stands_after({standing, spot_at(0.08f, false, false)}));
+  EXPECT_FALSE(stands_after({standing}, false)) << "more than an edge";
+  EXPECT_FALSE(stands_after({}));
+  EXPECT_FALSE(stands_after({spot_at(0.17f, true, false)})) << "farther than anything moves";
+  EXPECT_FALSE(stands_after({standing, spot_at(0.03f, false, false)}));
+  EXPECT_FALSE(stands_after({standing, spot_at(-0.02f, false, true)})) << "unknown";
+}
+
 }  // namespace
 }  // namespace safety_control_cloud
