@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "guard/given.hpp"
 #include "guard/command.hpp"
+#include "guard/given.hpp"
 #include "guard/guard.hpp"
 #include "guard/override.hpp"
 #include "perception.hpp"
@@ -55,12 +55,14 @@ class GuardControl {
 
   /// The base says where it is, or a part of it, on which base_frame is at `base`.
   void note_odometry(double stamp, const Pose2& pose, const Twist2& twist, const Pose2& base = {}) {
-    perception_.odometry().note(stamp, beyond(pose, base), twist_of_part(twist, base));
+    const Given::Fastest told = given_.fastest_of_late();
+    perception_.odometry().note(stamp, beyond(pose, base), twist_of_part(twist, base), told.speed, told.turning);
   }
 
   /// The same of whom tells poses alone.
   void note_pose(double stamp, const Pose2& pose) {
-    perception_.odometry().note_pose(stamp, pose, settings_.max_speed, settings_.max_turn);
+    const Given::Fastest told = given_.fastest_of_late();
+    perception_.odometry().note_pose(stamp, pose, told.speed, told.turning);
   }
 
   /// What is in doubt outside of the sensors. From the next answer on the robot stands for it, until there is none.

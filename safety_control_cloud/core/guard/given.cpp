@@ -17,6 +17,7 @@ constexpr double longest_way = 2.0;     ///< [s] in more steps; longer ones in a
 constexpr double no_difference = 1e-6;  ///< [m], [rad]
 constexpr double rounding = 1e-9;       ///< [s], [m/s], [rad/s]
 constexpr double timeout = 0.5;         ///< [s] after which a base may stop that is told nothing
+constexpr double of_late = 3.0;         ///< [s] in which any base comes to rest
 constexpr double slip = 0.1;            ///< [m/m], [rad/rad] by which wheels may miss what they are told
 
 /// [m/s], [rad/s] by which a base that lags may be faster than one that brakes as slowly as it can.
@@ -53,6 +54,15 @@ std::deque<Given::Told>::const_iterator Given::first_after(double moment) const 
 Twist2 Given::told_at(double moment) const {
   const auto after = first_after(moment);
   return after == told_.begin() ? Twist2{} : std::prev(after)->twist;
+}
+
+Given::Fastest Given::fastest_of_late() const {
+  Fastest fastest;
+  for (auto told = told_.rbegin(); told != told_.rend(); ++told) {
+    fastest = {std::max(fastest.speed, speed_of(told->twist)), std::max(fastest.turning, std::abs(told->twist.w))};
+    if (told->since < told_.back().since - of_late) break;
+  }
+  return fastest;
 }
 
 /// From what it did when it was told last, by all that had its effect since, one after the other.

@@ -18,14 +18,23 @@ constexpr double longest_gap = 0.25;  ///< [s] over which a twist is taken to la
 constexpr double most_off = 0.1;      ///< [m], [rad] by which a pose may miss what the twists before and after explain
 constexpr double most_off_rate = 0.25;  ///< the same, as a share of what they explain
 constexpr double noise = 0.01;          ///< [m], [rad] of a pose
+constexpr double slew_over = 1.0;       ///< [s] over which what is less than noise from pose to pose adds up
 constexpr double told_for = 1.0;        ///< [s] that a jump is told of
 
 bool is_finite(const Pose2& pose) { return is_finite(pose.place) && std::isfinite(pose.heading); }
 
+/// Of a speed, that is no more than the most.
+double share_within(double most, double speed) { return speed > most ? most / speed : 1.0; }
+
+Drift beyond_noise(const Drift& off) {
+  return {off.place > noise ? off.place : 0.0, off.heading > noise ? off.heading : 0.0};
+}
+
 }  // namespace
 
-void Odometry::note(double stamp, const Pose2& pose, const Twist2& twist) {
+void Odometry::note(double stamp, const Pose2& pose, const Twist2& twist, double fastest, double fastest_turn) {
   Noted next{stamp, pose, twist};
+  fastest_ = fastest, fastest_turn_ = fastest_turn;
   if (!std::isfinite(stamp) || !is_finite(pose) || !is_sound(twist)) {
     forget();
     return;
@@ -35,27 +44,24 @@ void Odometry::note(double stamp, const Pose2& pose, const Twist2& twist) {
   if (!noted_.empty() && !goes_on(next)) forget();
   if (noted_.empty()) {
     since_ = stamp;
-  } else {
-    const Drift since = unexplained_by(next);
-    next.unexplained = noted_.back().unexplained +
-                       Drift{since.place > noise ? since.place : 0.0, since.heading > noise ? since.heading : 0.0};
+    anchor_ = {stamp, pose};
+  } else {  // headings go on beyond a full turn, so that the way between two poses is the short one
+    const double before = noted_.back().pose.heading;
+    next.pose.heading = before + wrapped(pose.heading - before);
+    count_unexplained(next);
   }
   noted_.push_back(next);
-  if (noted_.size() > 1) {  // headings go on beyond a full turn, so that the way between two poses is the short one
-    const double before = noted_[noted_.size() - 2].pose.heading;
-    noted_.back().pose.heading = before + wrapped(pose.heading - before);
-  }
   while (noted_.size() > most || noted_.front().stamp < stamp - kept) noted_.pop_front();
 }
 
 void Odometry::note_pose(double stamp, const Pose2& pose, double fastest, double fastest_turn) {
   const double time = noted_.empty() ? 0.0 : stamp - noted_.back().stamp;
-  if (!(time > 0.0)) return note(stamp, pose, {});
+  if (!(time > 0.0)) return note(stamp, pose, {}, fastest, fastest_turn);
   const Pose2 way = between(noted_.back().pose, pose);
   const double per_second = 1.0 / time, turn = wrapped(way.heading);
   const Twist2 twist{way.place.x * per_second, way.place.y * per_second, turn * per_second};
-  const double share = std::min(fastest / speed_of(twist), fastest_turn / std::abs(twist.w));
-  note(stamp, pose, share < 1.0 ? limited(twist, share) : twist);
+  const double share = std::min(share_within(fastest, speed_of(twist)), share_within(fastest_turn, std::abs(twist.w)));
+  note(stamp, pose, limited(twist, share), fastest, fastest_turn);
 }
 
 void Odometry::forget() {
@@ -65,20 +71,36 @@ void Odometry::forget() {
   since_ = std::numeric_limits<double>::infinity();
 }
 
-/// Of the way from the latest on. Of who tells no twists, one that goes on as before is explained.
-Drift Odometry::unexplained_by(const Noted& next) const {
+/// From the latest on, so far at most. Of who tells no twists, one that goes on as before is explained.
+Drift Odometry::explained_until(const Noted& next) const {
   const Noted& last = noted_.back();
-  const Pose2 way = between(last.pose, next.pose);
   double speed = std::max(speed_of(last.twist), speed_of(next.twist));
   double turning = std::max(std::abs(last.twist.w), std::abs(next.twist.w));
   if (!tells_twists_ && noted_.size() > 1) {
     const Noted& before = noted_[noted_.size() - 2];
     const Pose2 latest = between(before.pose, last.pose);
-    speed = std::max(speed, length_of(latest.place) / (last.stamp - before.stamp));
-    turning = std::max(turning, std::abs(latest.heading) / (last.stamp - before.stamp));
+    speed = std::max(speed, std::min(fastest_, length_of(latest.place) / (last.stamp - before.stamp)));
+    turning = std::max(turning, std::min(fastest_turn_, std::abs(latest.heading) / (last.stamp - before.stamp)));
   }
   const double explained = (1.0 + most_off_rate) * (next.stamp - last.stamp);
-  return {length_of(way.place) - explained * speed, std::abs(wrapped(way.heading)) - explained * turning};
+  return {explained * speed, explained * turning};
+}
+
+Drift Odometry::unexplained(const Pose2& from, const Pose2& to, const Drift& explained) {
+  const Pose2 way = between(from, to);
+  return {length_of(way.place) - explained.place, std::abs(wrapped(way.heading)) - explained.heading};
+}
+
+/// At once, or over all of the time since the anchor: a pose that slews slowly, as one that is corrected by and by, is
+/// as wrong as one that jumps as far.
+void Odometry::count_unexplained(Noted& next) {
+  const Noted& last = noted_.back();
+  const Drift explained = explained_until(next);
+  anchor_.explained = anchor_.explained + explained;
+  const Drift at_once = last.unexplained + beyond_noise(unexplained(last.pose, next.pose, explained));
+  const Drift in_all = anchor_.unexplained + beyond_noise(unexplained(anchor_.pose, next.pose, anchor_.explained));
+  next.unexplained = {std::max(at_once.place, in_all.place), std::max(at_once.heading, in_all.heading)};
+  if (next.stamp - anchor_.stamp >= slew_over) anchor_ = {next.stamp, next.pose, {}, next.unexplained};
 }
 
 /// A relay or a driver of two threads says some things twice, and some in another order.
@@ -100,8 +122,8 @@ double Odometry::longest_gap_until(double stamp) const {
 bool Odometry::goes_on(const Noted& next) const {
   const double time = next.stamp - noted_.back().stamp;
   if (!(time > 0.0 && time <= longest_gap_until(next.stamp))) return false;
-  const Drift unexplained = unexplained_by(next);
-  return unexplained.place <= most_off && unexplained.heading <= most_off;
+  const Drift off = unexplained(noted_.back().pose, next.pose, explained_until(next));
+  return off.place <= most_off && off.heading <= most_off;
 }
 
 Drift Odometry::unexplained_until(double stamp) const {

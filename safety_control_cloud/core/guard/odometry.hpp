@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -16,11 +17,14 @@ namespace safety_control_cloud {
 /// over if it is where the robot is known to have been.
 class Odometry {
  public:
-  /// The robot was at this pose of a frame that rests, and had this twist, at `stamp` [s, ROS time].
-  void note(double stamp, const Pose2& pose, const Twist2& twist);
+  /// The robot was at this pose of a frame that rests, and had this twist, at `stamp` [s, ROS time]. Of who leaves the
+  /// twists zero, what goes on as before is explained, up to `fastest` [m/s] and `fastest_turn` [rad/s], which the base
+  /// may have gone by what it was told.
+  void note(double stamp, const Pose2& pose, const Twist2& twist, double fastest = infinite,
+            double fastest_turn = infinite);
 
   /// The same of whom tells poses alone: its twist is what leads there from the pose before, as far as that is no more
-  /// than `fastest` [m/s] and `fastest_turn` [rad/s]: what is faster is a jump.
+  /// than these. What is faster no twist explains.
   void note_pose(double stamp, const Pose2& pose, double fastest, double fastest_turn);
 
   /// Nobody listened from then until then [s, ROS time]: what was said meanwhile is not known, but that it was.
@@ -36,7 +40,7 @@ class Odometry {
   double spoke_until() const { return noted_.back().stamp; }
 
   /// What no twist explains of the way until `stamp` [s, ROS time], since it goes on: too little for a jump, which may
-  /// come again.
+  /// come again, or so little from one pose to the next that it is told from noise over a second alone.
   Drift unexplained_until(double stamp) const;
 
   /// Whether it speaks at `now` [s, ROS time].
@@ -66,12 +70,24 @@ class Odometry {
     Drift unexplained = {};  ///< of all the way until there
   };
 
+  /// A pose of late, and the way since as far as twists explain it.
+  struct Anchor {
+    double stamp = 0.0;
+    Pose2 pose = {};
+    Drift explained = {};    ///< at most
+    Drift unexplained = {};  ///< of all the way until there
+  };
+
   struct Deaf {
     double from, until;  ///< [s, ROS time]
   };
 
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+
   double longest_gap_until(double stamp) const;
-  Drift unexplained_by(const Noted& next) const;
+  Drift explained_until(const Noted& next) const;
+  static Drift unexplained(const Pose2& from, const Pose2& to, const Drift& explained);
+  void count_unexplained(Noted& next);
   bool goes_on(const Noted& next) const;
   bool is_known(const Noted& said) const;
   void forget();
@@ -83,6 +99,8 @@ class Odometry {
   std::size_t breaks_ = 0;
   double since_ = 0.0;
   bool tells_twists_ = false;  ///< some leave them zero for ever
+  double fastest_ = infinite, fastest_turn_ = infinite;
+  Anchor anchor_;
 };
 
 }  // namespace safety_control_cloud

@@ -196,6 +196,46 @@ TEST(Odometry, NoiseOfAPoseIsExplained) {
   EXPECT_EQ(odometry.unexplained_until(20.0).heading, 0.0);
 }
 
+/// As if corrected by and by, and told fifty times a second.
+TEST(Odometry, TellsWhatNoTwistExplainsThoughItSlewsByNoMoreThanNoiseAtATime) {
+  for (const double slew : {0.001, 0.003, 0.009}) {
+    Odometry odometry;
+    drive(odometry, {0.3, 0.0, 0.0}, 10.0, 1.0);
+    for (int i = 1; i <= 120; ++i) odometry.note(11.0 + 0.02 * i, {{0.3, slew * i}, slew * i}, {});
+    EXPECT_EQ(odometry.breaks(), std::size_t{0});
+    const Drift all = odometry.unexplained_until(13.4), earlier = odometry.unexplained_until(12.0);
+    EXPECT_NEAR(all.place, 120 * slew, 0.35 * 120 * slew) << slew;
+    EXPECT_NEAR(all.heading, 120 * slew, 0.35 * 120 * slew) << slew;
+    EXPECT_LT(earlier.place, all.place) << slew;
+  }
+}
+
+/// As TF has it.
+TEST(Odometry, OfPosesAloneWhatTheBaseWasNotToldIsNotExplained) {
+  const auto after = [](double turn, double told) {
+    Odometry odometry;
+    for (int i = 0; i < 10; ++i) odometry.note_pose(10.0 + 0.2 * i, {}, 0.0, told);
+    odometry.note_pose(12.0, {{0.0, 0.0}, turn}, 0.0, told);
+    return odometry;
+  };
+  EXPECT_EQ(after(0.58, 0.0).breaks(), std::size_t{1});
+  EXPECT_EQ(after(0.09, 0.0).breaks(), std::size_t{0});
+  EXPECT_NEAR(after(0.09, 0.0).unexplained_until(12.0).heading, 0.09, 1e-6);
+  EXPECT_EQ(after(0.24, 1.0).breaks(), std::size_t{0}) << "told to turn";
+  EXPECT_EQ(after(0.24, 1.0).unexplained_until(12.0).heading, 0.0);
+}
+
+TEST(Odometry, WhoLeavesTheTwistsZeroIsNotBelievedToGoOnFasterThanTheBaseWasTold) {
+  for (const double told : {0.0, 0.5}) {
+    Odometry odometry;
+    for (int i = 0; i <= 100; ++i) odometry.note(10.0 + 0.02 * i, {{0.008 * i, 0.0}, 0.0}, {}, told, told);
+    if (told == 0.0)
+      EXPECT_NEAR(odometry.unexplained_until(12.0).place, 0.8, 0.05);
+    else
+      EXPECT_LT(odometry.unexplained_until(12.0).place, 0.03);
+  }
+}
+
 /// As some bases leave them zero.
 TEST(Odometry, WhoTellsNoTwistsIsBelievedAsLongAsHeGoesOnAsBefore) {
   for (const double period : {0.02, 0.1}) {
