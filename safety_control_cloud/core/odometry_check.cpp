@@ -44,6 +44,14 @@ bool OdometryCheck::note_look(const Odometry* odometry, const Given& given, cons
   return true;
 }
 
+bool OdometryCheck::note_break(const Instant& now) {
+  if (!all_.has_stood()) return false;
+  const bool misplaces = contradiction_at(now.steady).has_value();
+  contradicted_ =
+      Contradicted{now.steady, misplaces, "it stood while the base was told to go, and then jumped or paused"};
+  return true;
+}
+
 std::optional<std::string> OdometryCheck::contradiction_at(double now) const {
   const bool still = contradicted_ && contradicted_->misplaces && now - contradicted_->at <= time_;
   return still ? std::optional(contradicted_->how) : std::nullopt;

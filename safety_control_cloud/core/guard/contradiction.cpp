@@ -11,6 +11,7 @@ constexpr double lately = 10.0, enough = 0.3, longest_gap = 0.2;  ///< [s]
 constexpr double surely_gone = 0.08, gone_against = 0.05;         ///< [m]
 constexpr double surely_turned = 0.2, turned_against = 0.1;       ///< [rad]
 constexpr double most_turned = 1.2;                               ///< [rad] beyond it, ahead is not ahead any more
+constexpr double rest = 0.01;                                     ///< [m], [rad] no way
 
 /// What is common to all ways: the least, if it leads one way by all; or else nothing.
 template <class Of>
@@ -47,7 +48,9 @@ Compared compared(const Pose2& way, const std::vector<Pose2>& as_told) {
       std::abs(turn) < turned_against ? sense_of(way.place.y, left, surely_gone, gone_against) : Sense::Neither;
   if (slid == Sense::Against) return {false, "it goes to the other side than the base is told to"};
   const auto senses = {turned, went, slid};
-  return {std::find(senses.begin(), senses.end(), Sense::Along) != senses.end(), {}};
+  const bool is_told_to_go = std::abs(turn) >= surely_turned || std::hypot(ahead, left) >= surely_gone;
+  const bool stood = is_told_to_go && length_of(way.place) <= rest && std::abs(way.heading) <= rest;
+  return {std::find(senses.begin(), senses.end(), Sense::Along) != senses.end(), {}, stood};
 }
 
 void Contradictions::note(const Compared& one, double now) {
@@ -55,8 +58,11 @@ void Contradictions::note(const Compared& one, double now) {
   noted_ = now;
   against_ = kept * against_ + (one.contradiction ? time : 0.0);
   along_ = kept * along_ + (one.agrees ? time : 0.0);
+  stood_ = one.agrees ? 0.0 : stood_ + (one.stood ? time : 0.0);
 }
 
 bool Contradictions::prevail() const { return against_ >= enough && against_ > along_; }
+
+bool Contradictions::has_stood() const { return stood_ >= enough; }
 
 }  // namespace safety_control_cloud

@@ -16,6 +16,7 @@ constexpr double compared_over = 1.0;
 struct Compared {
   bool agrees = false;                       ///< it went or turned as the base did for sure, if that obeyed
   std::optional<std::string> contradiction;  ///< in words, how it went or turned the other way
+  bool stood = false;                        ///< it did neither, and the base for sure, if that obeyed
 };
 
 /// `way` is odometry's, `as_told` are those between which the base went if it did as it was told. To rest is neither,
@@ -29,9 +30,13 @@ class Contradictions {
  public:
   void note(const Compared& one, double now);
   bool prevail() const;
+  /// Whether it has stood since it agreed last, though the base was told to go. Nothing is wrong with that, until it
+  /// jumps.
+  bool has_stood() const;
 
  private:
   double against_ = 0.0, along_ = 0.0;  ///< [s], the longer ago the less
+  double stood_ = 0.0;                  ///< [s]
   std::optional<double> noted_;
 };
 

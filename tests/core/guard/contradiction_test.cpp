@@ -49,6 +49,32 @@ TEST(Contradiction, IsATurnAgainst) {
   EXPECT_FALSE(contradicts({{0.3, 0.0}, -0.5}, between_ways({{0.2, 0.0}, 0.1}, {{0.5, 0.1}, 0.8}))) << "hardly told";
 }
 
+TEST(Contradiction, StoodIsWhoDidNeitherThoughTheBaseWasToldTo) {
+  const auto ahead = between_ways({{0.2, 0.0}, -0.05}, {{0.5, 0.0}, 0.05});
+  const auto turning = between_ways({{0.0, 0.0}, 0.4}, {{0.0, 0.0}, 0.8});
+  EXPECT_TRUE(compared({}, ahead).stood);
+  EXPECT_TRUE(compared({}, turning).stood);
+  EXPECT_FALSE(compared({{0.03, 0.0}, 0.0}, ahead).stood);
+  EXPECT_FALSE(compared({{0.0, 0.0}, 0.03}, turning).stood);
+  EXPECT_FALSE(compared({}, between_ways({}, {{0.5, 0.0}, 0.0})).stood) << "perhaps it was to stand";
+  EXPECT_FALSE(compared({}, {}).stood);
+}
+
+TEST(Contradiction, HasStoodUntilItAgreesAgain) {
+  const Compared stood{false, {}, true}, along{true, {}}, neither;
+  Contradictions all;
+  double now = 100.0;
+  const auto has_stood_after = [&](const Compared& one, double seconds) {
+    for (double t = 0.0; t < seconds; t += 0.05) all.note(one, now += 0.05);
+    return all.has_stood();
+  };
+  EXPECT_FALSE(has_stood_after(along, 2.0));
+  EXPECT_FALSE(has_stood_after(stood, 0.2));
+  EXPECT_TRUE(has_stood_after(stood, 0.2));
+  EXPECT_TRUE(has_stood_after(neither, 20.0));
+  EXPECT_FALSE(has_stood_after(along, 0.05));
+}
+
 TEST(Contradiction, PrevailsWhereItIsMostOfWhatCanBeCompared) {
   const Compared against{false, "backward"}, along{true, {}}, neither;
   const auto after = [&](std::initializer_list<std::pair<Compared, double>> each) {
@@ -140,6 +166,29 @@ TEST(Contradiction, IsNoneOfABaseThatDoesLessOrWasHalted) {
     }
     DrivenRobot robot;
     EXPECT_EQ(robot.drives(4.0, told, at_rest).cause, Cause::Seen) << told.vx << ", " << told.w;
+  }
+}
+
+/// All the time by as much, so that every place lies where it does not.
+TEST(Contradiction, IsThatItJumpsAfterItStoodThoughTheBaseWasToldToGo) {
+  const Twist2 ahead{0.3, 0.0, 0.0};
+  for (const bool told_to_go : {true, false}) {
+    for (const double jump : {0.8, -7.0}) {
+      DrivenRobot robot;
+      robot.drives(2.0, ahead, rightly);
+      if (told_to_go)
+        robot.drives(2.0, ahead, at_rest);
+      else
+        robot.passes(2.0, robot.hall);
+      robot.pose.place.x += jump;
+      robot.passes(1.0, robot.hall);
+      const Guarded answer = robot.wants(ahead);
+      EXPECT_EQ(answer.cause, told_to_go ? Cause::NoOdometry : Cause::Seen) << jump << ": " << answer.reason;
+      if (!told_to_go) continue;
+      EXPECT_NE(answer.reason.find("it stood while"), std::string::npos) << answer.reason;
+      robot.passes(31.0, robot.hall);
+      EXPECT_EQ(robot.wants(ahead).cause, Cause::Seen) << "after memory_time";
+    }
   }
 }
 
