@@ -53,12 +53,12 @@ void Bearings::note(const ScanView& scan, const Outlook& outlook, double now) {
       measured_[bin_of(bearing - beside)] = measured_[bin_of(bearing + beside)] = now;
     measured_[bin_of(bearing - 0.5 * step)] = measured_[bin_of(bearing + 0.5 * step)] = now;
   }
+  latest_ = now;
   find_gaps(now);
 }
 
-bool Bearings::is_blind_at(double bearing) const {
-  return std::any_of(gaps_.begin(), gaps_.end(),
-                     [=](const Gap& gap) { return std::abs(wrapped(bearing - gap.middle)) <= gap.half_angle; });
+bool Bearings::measures_at(double bearing) const {
+  return latest_ == never || latest_ - measured_[bin_of(bearing)] < lately;
 }
 
 void Bearings::find_gaps(double now) {

@@ -37,8 +37,9 @@ class Bearings {
   };
   const std::vector<Gap>& gaps() const { return gaps_; }
 
-  /// Whether a bearing [rad], in its own frame, lies in one of them.
-  bool is_blind_at(double bearing) const;
+  /// Whether it has measured lately at a bearing [rad] in its own frame, or there was no scan yet: between two that it
+  /// did not measure at there may be no gap, and yet a post.
+  bool measures_at(double bearing) const;
 
  private:
   static constexpr std::size_t bins = 720;
@@ -52,6 +53,7 @@ class Bearings {
   std::vector<OwnBox> self_;
   Zero zero_;
   std::array<double, bins> measured_;  ///< when for the last time [s]
+  double latest_ = never;              ///< scan [s]
   std::vector<Gap> gaps_;
 };
 

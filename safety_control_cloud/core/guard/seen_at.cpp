@@ -183,7 +183,7 @@ AtPlace SeenAt::in_picture(const Point& place, double off) const {
 AtPlace SeenAt::in_scan(const Point& place, double off, double aside) const {
   const double distance = std::hypot(place.x, place.y), bearing = bearing_in(*scan_, place);
   if (std::abs(place.z) > in_plane || pixels_.width() < 2) return AtPlace::NotThere;
-  if (look_.bearings && look_.bearings->is_blind_at(bearing)) return AtPlace::NotThere;  // nobody looks
+  if (look_.bearings && !look_.bearings->measures_at(bearing)) return AtPlace::NotThere;  // nobody looks
   const auto last = static_cast<std::ptrdiff_t>(pixels_.width()) - 1;
   const double beams_each = static_cast<double>(last) / (scan_->last - scan_->first);        // [1/rad]
   const auto all_around = static_cast<std::ptrdiff_t>(std::lround(full_turn * beams_each));  // beams that a turn takes

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "robot_with_sensors.hpp"
@@ -22,6 +24,13 @@ struct Laser {
   std::vector<float> ranges = std::vector<float>(360, 5.0f);
   bool descends = false;
   Bearings bearings;
+
+  bool is_in_a_gap(double bearing) const {
+    const auto holds = [=](const Bearings::Gap& gap) {
+      return std::abs(wrapped(bearing - gap.middle)) <= gap.half_angle;
+    };
+    return std::any_of(bearings.gaps().begin(), bearings.gaps().end(), holds);
+  }
 
   /// From one bearing to another [degrees].
   void shows(int from, int to, float range) {
@@ -44,9 +53,9 @@ TEST(Bearings, WhatHasNeverMeasuredIsBlindWhateverStandsInItsPlace) {
       laser.descends = descends;
       laser.shows(20, 50, blank);
       laser.looks();
-      for (const double inside : {22.0, 35.0, 48.0}) EXPECT_TRUE(laser.bearings.is_blind_at(rad(inside))) << blank;
+      for (const double inside : {22.0, 35.0, 48.0}) EXPECT_TRUE(laser.is_in_a_gap(rad(inside))) << blank;
       for (const double outside : {-35.0, 18.0, 52.0, 180.0, -180.0, 325.0, 720.0})
-        EXPECT_FALSE(laser.bearings.is_blind_at(rad(outside))) << outside << ", " << blank;
+        EXPECT_FALSE(laser.is_in_a_gap(rad(outside))) << outside << ", " << blank;
       ASSERT_EQ(laser.bearings.gaps().size(), 1u);
       EXPECT_NEAR(laser.bearings.gaps()[0].middle, rad(34.5), rad(1.0));
       EXPECT_NEAR(laser.bearings.gaps()[0].half_angle, rad(15.0), rad(1.0));
@@ -67,7 +76,7 @@ TEST(Bearings, WhatMeasuredIsBlindASecondAfterItLastDid) {
   Laser laser;
   laser.shows(20, 50, nan);
   laser.looks(0.0);
-  EXPECT_TRUE(laser.bearings.is_blind_at(rad(35.0))) << "never";
+  EXPECT_TRUE(laser.is_in_a_gap(rad(35.0))) << "never";
   laser.shows(20, 50, 3.0f);
   laser.looks(0.1);
   laser.shows(20, 50, nan);
@@ -76,12 +85,27 @@ TEST(Bearings, WhatMeasuredIsBlindASecondAfterItLastDid) {
     EXPECT_TRUE(laser.bearings.gaps().empty()) << now;
   }
   laser.looks(1.15);
-  EXPECT_TRUE(laser.bearings.is_blind_at(rad(35.0)));
-  EXPECT_FALSE(laser.bearings.is_blind_at(rad(55.0)));
+  EXPECT_TRUE(laser.is_in_a_gap(rad(35.0)));
+  EXPECT_FALSE(laser.is_in_a_gap(rad(55.0)));
   laser.shows(30, 31, 3.0f);
   laser.looks(1.2);
-  EXPECT_FALSE(laser.bearings.is_blind_at(rad(25.0))) << "what is left before it is narrow";
-  EXPECT_TRUE(laser.bearings.is_blind_at(rad(40.0)));
+  EXPECT_FALSE(laser.is_in_a_gap(rad(25.0))) << "what is left before it is narrow";
+  EXPECT_TRUE(laser.is_in_a_gap(rad(40.0)));
+}
+
+TEST(Bearings, WhatHasNotMeasuredForASecondMeasuresNothingHoweverNarrowItIs) {
+  EXPECT_TRUE(Bearings().measures_at(0.0)) << "nobody knows yet";
+  Laser laser;
+  laser.looks(0.0);
+  for (const auto& [from, to] : {std::pair(30, 32), std::pair(-10, 2)}) laser.shows(from, to, nan);
+  for (const double now : {0.1, 0.9}) {
+    laser.looks(now);
+    EXPECT_TRUE(laser.bearings.measures_at(rad(30.5))) << now;
+  }
+  laser.looks(1.1);
+  EXPECT_TRUE(laser.bearings.gaps().empty());
+  for (const double blank : {30.5, -4.0, -9.0, 1.0}) EXPECT_FALSE(laser.bearings.measures_at(rad(blank))) << blank;
+  for (const double seen : {28.5, 33.0, -12.0, 3.0, 180.0}) EXPECT_TRUE(laser.bearings.measures_at(rad(seen))) << seen;
 }
 
 TEST(Bearings, ZeroIsAMeasurementWhereItSaysWhatInfinitySays) {
@@ -92,9 +116,9 @@ TEST(Bearings, ZeroIsAMeasurementWhereItSaysWhatInfinitySays) {
     laser.shows(90, 120, nan);
     laser.shows(-50, -20, inf);
     laser.looks();
-    EXPECT_EQ(laser.bearings.is_blind_at(rad(35.0)), zero == Bearings::Zero::Nothing);
-    EXPECT_TRUE(laser.bearings.is_blind_at(rad(105.0)));
-    EXPECT_FALSE(laser.bearings.is_blind_at(rad(-35.0)));
+    EXPECT_EQ(laser.is_in_a_gap(rad(35.0)), zero == Bearings::Zero::Nothing);
+    EXPECT_TRUE(laser.is_in_a_gap(rad(105.0)));
+    EXPECT_FALSE(laser.is_in_a_gap(rad(-35.0)));
   }
 }
 
@@ -112,7 +136,7 @@ TEST(Bearings, AGapGoesOnOverTheSeam) {
   laser.shows(-180, -100, nan);
   laser.looks();
   for (const double inside : {102.0, 180.0, -180.0, -102.0, 250.0})
-    EXPECT_TRUE(laser.bearings.is_blind_at(rad(inside))) << inside;
+    EXPECT_TRUE(laser.is_in_a_gap(rad(inside))) << inside;
   ASSERT_EQ(laser.bearings.gaps().size(), 1u);
   EXPECT_NEAR(laser.bearings.gaps()[0].middle, pi, rad(1.0));
 }
@@ -123,10 +147,10 @@ TEST(Bearings, ALaserDoesNotLookThroughTheRobotItself) {
   laser.shows(156, 180, 0.12f);
   laser.shows(-180, -156, 0.12f);
   laser.looks();
-  EXPECT_TRUE(laser.bearings.is_blind_at(pi));
+  EXPECT_TRUE(laser.is_in_a_gap(pi));
   laser.bearings = Bearings();
   laser.looks();
-  EXPECT_FALSE(laser.bearings.is_blind_at(pi)) << "something else";
+  EXPECT_FALSE(laser.is_in_a_gap(pi)) << "something else";
 }
 
 TEST(Bearings, BeamsThatLieFarApartLeaveNoGap) {
@@ -145,9 +169,9 @@ TEST(Bearings, WhoMeasuresNothingAtAllLooksNowhere) {
   laser.looks(0.0);
   laser.shows(-180, 180, nan);
   laser.looks(0.5);
-  EXPECT_FALSE(laser.bearings.is_blind_at(0.0));
+  EXPECT_FALSE(laser.is_in_a_gap(0.0));
   laser.looks(2.0);
-  for (const double any : {0.0, 1.5, pi, -pi}) EXPECT_TRUE(laser.bearings.is_blind_at(any)) << any;
+  for (const double any : {0.0, 1.5, pi, -pi}) EXPECT_TRUE(laser.is_in_a_gap(any)) << any;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "robot_with_sensors.hpp"
 
@@ -35,11 +36,11 @@ struct RobotWithALaser : RobotWithSensors {
   }
 };
 
-/// Of a whole turn but for what a filter takes away beyond 100 degrees to each side.
-RobotWithALaser with_masked_laser(float blank, double unseen_speed) {
+/// Of a whole turn but for what a filter takes away beyond so many degrees to each side.
+RobotWithALaser with_masked_laser(float blank, double unseen_speed, int half = 100) {
   RobotWithALaser robot(with_a_laser_alone(unseen_speed));
-  for (std::size_t degrees = 0; degrees < 360; ++degrees)
-    if (degrees < 80 || degrees > 280) robot.ranges[degrees] = blank;
+  for (int degrees = 0; degrees < 360; ++degrees)
+    if (std::abs(degrees - 180) > half) robot.ranges[static_cast<std::size_t>(degrees)] = blank;
   return robot;
 }
 
@@ -146,10 +147,14 @@ TEST(MaskedLasers, WhatItShowedStaysWhereItNoLongerMeasures) {
   }
 }
 
+/// Be it so narrow that it is no gap, as behind a mast.
 TEST(MaskedLasers, WhatIsRememberedIsNotSeenToGoWhereALaserHasNeverMeasured) {
-  for (const float blank : blanks) {
-    RobotWithALaser robot = with_masked_laser(blank, 0.7);
+  for (const auto& [blank, half, wide] :
+       {std::tuple(blanks[0], 100, 10), std::tuple(blanks[1], 100, 10), std::tuple(blanks[2], 100, 10),
+        std::tuple(blanks[0], 174, 2), std::tuple(blanks[1], 174, 2), std::tuple(blanks[2], 176, 1)}) {
+    RobotWithALaser robot = with_masked_laser(blank, 0.7, half);
     const std::vector<float> free = robot.ranges;
+    const auto masked = [half = half](int degrees) { return std::abs(degrees - 180) > half; };
     Pose2 pose;
     const auto turns = [&](int looks, double turning) {
       for (int i = 0; i < looks; ++i) {
@@ -157,8 +162,10 @@ TEST(MaskedLasers, WhatIsRememberedIsNotSeenToGoWhereALaserHasNeverMeasured) {
         pose.heading += 0.05 * turning;
         robot.ranges = free;
         const auto middle = static_cast<int>(std::lround(180.0 - pose.heading * 180.0 / pi));
-        for (int degrees = middle - 10; degrees <= middle + 10; ++degrees)
-          if (degrees >= 80 && degrees <= 280) robot.ranges[static_cast<std::size_t>(degrees)] = 0.8f;
+        for (int degrees = middle - wide; degrees <= middle + wide; ++degrees) {
+          const int seen = (degrees + 360) % 360;
+          if (!masked(seen)) robot.ranges[static_cast<std::size_t>(seen)] = 0.8f;
+        }
         robot.control.note_odometry(robot.now.ros, pose, {0.0, 0.0, turning});
         robot.see_scan(0);
         robot.wants({0.0, 0.0, turning});
