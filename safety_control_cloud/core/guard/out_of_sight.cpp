@@ -57,6 +57,14 @@ void add_to(std::vector<Ring>& rings, const Point2& place, double off) {
 
 }  // namespace
 
+void OutOfSight::limit(OutOfSightLimits limits) {
+  limits_ = std::move(limits);
+  const auto counts = [this](double height) {
+    return height >= limits_.vicinity.bottom && height <= limits_.vicinity.top;
+  };
+  for (auto it = places_.begin(); it != places_.end();) it = counts(it->second.z) ? std::next(it) : places_.erase(it);
+}
+
 void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now, double came_after,
                       const Pose2& meanwhile) {
   drift(looks_.take_placed(sensor, robot, now, look.stamp, came_after), robot.pose.place);

@@ -36,8 +36,8 @@ class OutOfSight {
  public:
   explicit OutOfSight(OutOfSightLimits limits) : limits_(std::move(limits)) {}
 
-  /// Goes on within other limits.
-  void limit(OutOfSightLimits limits) { limits_ = std::move(limits); }
+  /// Goes on within other limits: what lies above or below them is not kept any more.
+  void limit(OutOfSightLimits limits);
 
   /// What `sensor` shows, the robot being there in the resting frame. `now` [s] steady, `came_after` [s] the look's
   /// stamp. Of a cloud that is not organised nothing is kept: nobody could tell what is seen behind it.

@@ -204,6 +204,18 @@ TEST(OutOfSight, ItsTimeEnds) {
   EXPECT_EQ(robot.asked({0.0, -0.7, 0.0}).factor, 1.0);
 }
 
+TEST(OutOfSight, WhatLiesAboveOrBelowTheRobotByNowIsNotKept) {
+  for (const auto& [bottom, top] : {std::pair(0.02, 0.42), std::pair(0.05, 0.15), std::pair(0.35, 0.42)}) {
+    Settings settings = remembering();
+    RobotWithOdometry robot(settings);
+    robot.passes(0.5, Scene({{0.9f, -0.05f, 0.05f, floor_y - 0.3f, floor_y - 0.2f}}));
+    robot.turns(quarter, robot.hall);
+    settings.frame_corridor.bottom = bottom, settings.frame_corridor.top = top;
+    robot.control.adopt(settings);
+    EXPECT_EQ(robot.asked({0.0, -0.7, 0.0}).factor < 1.0, bottom < 0.03) << bottom << " to " << top;
+  }
+}
+
 TEST(OutOfSight, WhatWasFartherIsNotKept) {
   RobotWithOdometry robot;
   robot.passes(0.5, Scene({post(1.8f, 0.0f)}));
