@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sensors.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -15,15 +14,6 @@ const std::set<std::string> of_all = {"source_timeout", "stamp_tolerance", "min_
 const std::set<std::string> of_cameras = {"range_min", "near_loss_distance", "near_loss_timeout", "blind_range"};
 const std::set<std::string> flags_of_scans = {"inf_is_free", "zero_is_inf"};
 const std::set<std::string> counts = {"min_returns", "frozen_clouds", "min_points"};
-
-/// As a part of a ROS name.
-bool is_name(const std::string& name) {
-  const auto fits = [](char letter) {
-    return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || (letter >= '0' && letter <= '9') ||
-           letter == '_';
-  };
-  return !name.empty() && std::all_of(name.begin(), name.end(), fits);
-}
 
 }  // namespace
 

@@ -44,7 +44,7 @@ bool operator==(const SwitchSettings& a, const SwitchSettings& b) {
 void check(const Switches& switches, Problems& problems) {
   std::set<std::string> names;
   for (const SwitchSettings& one : switches) {
-    problems.require(!one.name.empty(), "switches: name must not be empty");
+    problems.require(is_name(one.name), words("switches: \"", one.name, "\" is no name: letters, digits and _"));
     problems.require(names.insert(one.name).second, "switches: two are named " + one.name);
     problems.require(!one.topic.empty(), words("switches, ", one.name, ": topic must not be empty"));
     problems.require(std::isfinite(one.timeout) && one.timeout >= 0.0,

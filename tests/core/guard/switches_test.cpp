@@ -34,6 +34,14 @@ TEST(Switches, NameTheirEdgesCounterclockwise) {
   EXPECT_EQ(switch_named("button"), std::nullopt);
 }
 
+TEST(Switches, HaveNamesOfOneWord) {
+  for (const char* name : {"", "front bumper", "front\nbumper", "front/bumper"}) {
+    SwitchSettings odd = front;
+    odd.name = name;
+    EXPECT_EQ(problems_with({odd}).size(), 1u) << name;
+  }
+}
+
 TEST(Switches, SeveralAreFit) {
   SwitchSettings other = front;
   other.name = "other";  // one topic may serve two
