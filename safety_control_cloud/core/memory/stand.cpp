@@ -165,11 +165,9 @@ class FootBelow {
     const Stand own = below(column).stand();
     if (own != Stand::Hangs || !is_edge()) return own;
     const std::size_t first = column - std::min(edge_, column), last = std::min(column + edge_, ground_.columns() - 1);
-    bool hidden = false;
-    for (std::size_t i = first; i <= last; ++i) {
-      hidden = hidden || below(i).is_hidden();
-    }
-    return hidden ? Stand::Unseen : own;
+    for (std::size_t i = first; i <= last; ++i)
+      if (below(i).is_hidden()) return Stand::Unseen;
+    return own;
   }
 
   /// Whether the picture shows no more of it here than the edge of something that is itself too near to return.
