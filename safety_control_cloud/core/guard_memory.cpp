@@ -83,8 +83,8 @@ double GuardMemory::looks_since(const Went& went, const Instant& now) {
 bool GuardMemory::note_breaks(const Went& went, const Instant& now) {
   if (went.odometry.breaks() == breaks_) return false;
   if (by_odometry_ && out_of_sight_.holds_any(now.steady)) jumped_ = looks_since(went, now);
-  if (by_odometry_ && check_.note_break(now) && out_of_sight_.has_seen_any(now.steady))
-    check_.note_that_something_was_near();
+  const bool is_proven_wrong = by_odometry_ && went.odometry.has_jumped() && check_.note_jump(now);
+  if (is_proven_wrong && out_of_sight_.has_seen_any(now.steady)) check_.note_that_something_was_near();
   breaks_ = went.odometry.breaks();
   if (by_odometry_) go_on_as_told(now);
   return true;

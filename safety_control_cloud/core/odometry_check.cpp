@@ -44,11 +44,11 @@ bool OdometryCheck::note_look(const Odometry* odometry, const Given& given, cons
   return true;
 }
 
-bool OdometryCheck::note_break(const Instant& now) {
+bool OdometryCheck::note_jump(const Instant& now) {
   if (!all_.has_stood()) return false;
   const bool misplaces = contradiction_at(now.steady).has_value();
   contradicted_ =
-      Contradicted{now.steady, misplaces, "it stood while the base was told to go, and then jumped or paused"};
+      Contradicted{now.steady, misplaces, "it stood while the base was told to go, and then jumped"};
   return true;
 }
 

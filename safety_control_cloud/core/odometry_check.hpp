@@ -26,9 +26,9 @@ class OdometryCheck {
   /// A sensor has looked, and this is how the look is placed; null: not by odometry. Whether that could be compared.
   bool note_look(const Odometry* odometry, const Given& given, const Instant& now);
 
-  /// Odometry did not go on, after it stood though the base was told to go: then it was wrong all the time, and so is
-  /// what was placed by it. Whether that is so.
-  bool note_break(const Instant& now);
+  /// Odometry jumps, after it stood though the base was told to go: then it was wrong all the time, and so is what was
+  /// placed by it. Whether that is so.
+  bool note_jump(const Instant& now);
 
   bool has_contradicted() const { return contradicted_.has_value(); }
 

@@ -42,6 +42,9 @@ def test_a_robot_that_is_driven_at_a_wall_stops_before_it_and_backs_off(master):
         base.end()
 
 
+TURNING = math.pi / 2.0  # [rad/s]
+
+
 def odom_of(heading):
     turned = Quaternion(0.0, 0.0, math.sin(heading[0] / 2.0), math.cos(heading[0] / 2.0))
     transform = TransformStamped(Header(0, rospy.Time.now(), "odom"), "base_footprint", Transform(Vector3(), turned))
@@ -58,11 +61,12 @@ def robot_that_turned_away_from_a_wall():
         robot.camera.show(hall(wall(0.2 + CAMERA_TO_FRONT)))
         robot.driver.say(twist(0.3))
         robot.gives(lambda state: state.factor < 1.0)
-        robot.driver.say(twist())
+        robot.driver.say(twist(0.0, TURNING))  # who turns otherwise has slewed
         robot.camera.show(hall())
         for _ in range(50):
             time.sleep(0.04)
-            heading[0] += math.pi / 50
+            heading[0] += 0.04 * TURNING
+        robot.driver.say(twist())
         yield robot, tf
         tf.end()
 

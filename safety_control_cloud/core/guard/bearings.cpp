@@ -57,8 +57,11 @@ void Bearings::note(const ScanView& scan, const Outlook& outlook, double now) {
   find_gaps(now);
 }
 
+/// Where a bearing is counted from another turn than the beam's, rounding may take it for the bin beside.
 bool Bearings::measures_at(double bearing) const {
-  return latest_ == never || latest_ - measured_[bin_of(bearing)] < lately;
+  const auto is_measured = [&](double at) { return latest_ - measured_[bin_of(at)] < lately; };
+  return latest_ == never || is_measured(bearing) || is_measured(bearing - 0.5 * bin) ||
+         is_measured(bearing + 0.5 * bin);
 }
 
 void Bearings::find_gaps(double now) {

@@ -26,6 +26,8 @@ bool is_finite(const Pose2& pose) { return is_finite(pose.place) && std::isfinit
 /// Of a speed, that is no more than the most.
 double share_within(double most, double speed) { return speed > most ? most / speed : 1.0; }
 
+bool is_within(const Drift& off) { return off.place <= most_off && off.heading <= most_off; }
+
 Drift beyond_noise(const Drift& off) {
   return {off.place > noise ? off.place : 0.0, off.heading > noise ? off.heading : 0.0};
 }
@@ -36,12 +38,16 @@ void Odometry::note(double stamp, const Pose2& pose, const Twist2& twist, double
   Noted next{stamp, pose, twist};
   fastest_ = fastest, fastest_turn_ = fastest_turn;
   if (!std::isfinite(stamp) || !is_finite(pose) || !is_sound(twist)) {
+    has_jumped_ = true;  // for all that is known
     forget();
     return;
   }
   if (is_known(next)) return;
   tells_twists_ = tells_twists_ || speed_of(twist) > 0.0 || twist.w != 0.0;
-  if (!noted_.empty() && !goes_on(next)) forget();
+  if (!noted_.empty() && !goes_on(next)) {
+    has_jumped_ = !is_within(unexplained(noted_.back().pose, pose, {}));
+    forget();
+  }
   if (noted_.empty()) {
     since_ = stamp;
     anchor_ = {stamp, pose};
@@ -123,7 +129,7 @@ bool Odometry::goes_on(const Noted& next) const {
   const double time = next.stamp - noted_.back().stamp;
   if (!(time > 0.0 && time <= longest_gap_until(next.stamp))) return false;
   const Drift off = unexplained(noted_.back().pose, next.pose, explained_until(next));
-  return off.place <= most_off && off.heading <= most_off;
+  return is_within(off);
 }
 
 Drift Odometry::unexplained_until(double stamp) const {

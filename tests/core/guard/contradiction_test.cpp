@@ -192,6 +192,16 @@ TEST(Contradiction, IsThatItJumpsAfterItStoodThoughTheBaseWasToldToGo) {
   }
 }
 
+/// Whoever pressed the stop button, and a driver that paused.
+TEST(Contradiction, IsNoneIfAfterAPauseItStillStandsWhereItStood) {
+  DrivenRobot robot;
+  robot.drives(2.0, {0.3, 0.0, 0.0}, rightly);
+  robot.drives(2.0, {0.3, 0.0, 0.0}, rightly, 0.0);
+  robot.pass(0.4);
+  robot.passes(1.0, robot.hall);
+  EXPECT_EQ(robot.wants({0.3, 0.0, 0.0}).cause, Cause::Seen);
+}
+
 TEST(Contradiction, IsNoneForAMomentNorOfASlowSimulation) {
   const Twist2 ahead{0.3, 0.0, 0.0};
   {

@@ -46,7 +46,7 @@ struct RobotThatBacksUp : RobotWithSensors {
   explicit RobotThatBacksUp(const Settings& settings = with_sensors()) : RobotWithSensors(settings) {
     for (float away = 0.8f; away > 0.355f; away -= 0.01f) {
       behind = Scene({post(away, 0.02f, 0.06f)});
-      goes_on(0.05);
+      goes_on(0.05, {-0.2, 0.0, 0.0});
       pose.place.x -= 0.01;
     }
     pose.place.x += 0.01;
@@ -54,9 +54,9 @@ struct RobotThatBacksUp : RobotWithSensors {
 
   Pose2 pose;
 
-  void goes_on(double seconds) {
+  void goes_on(double seconds, const Twist2& twist = {}) {
     for (double t = 0.0; t < seconds; t += 0.05) {
-      control.note_odometry(now.ros + 0.05, pose, {});
+      control.note_odometry(now.ros + 0.05, pose, twist);
       drives_on({});
     }
   }

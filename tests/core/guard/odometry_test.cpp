@@ -196,6 +196,20 @@ TEST(Odometry, NoiseOfAPoseIsExplained) {
   EXPECT_EQ(odometry.unexplained_until(20.0).heading, 0.0);
 }
 
+TEST(Odometry, HasJumpedWhoGoesOnElsewhereAndNotWhoPaused) {
+  const auto after = [](double stamp, const Pose2& pose) {
+    Odometry odometry;
+    drive(odometry, {0.3, 0.0, 0.0}, 10.0, 1.0);
+    odometry.note(stamp, pose, {});
+    return odometry;
+  };
+  EXPECT_EQ(after(14.0, {{0.32, 0.0}, 0.0}).breaks(), std::size_t{1});
+  EXPECT_FALSE(after(14.0, {{0.32, 0.0}, 0.0}).has_jumped());
+  EXPECT_TRUE(after(14.0, {{0.9, 0.0}, 0.0}).has_jumped());
+  EXPECT_TRUE(after(11.02, {{0.3, 0.0}, 1.0}).has_jumped());
+  EXPECT_TRUE(after(11.02, {{std::nan(""), 0.0}, 1.0}).has_jumped()) << "for all that is known";
+}
+
 /// As if corrected by and by, and told fifty times a second.
 TEST(Odometry, TellsWhatNoTwistExplainsThoughItSlewsByNoMoreThanNoiseAtATime) {
   for (const double slew : {0.001, 0.003, 0.009}) {

@@ -16,7 +16,8 @@ inline Settings remembering(double distance = 1.5) {
   return settings;
 }
 
-/// A robot with odometry that turns and stands where it is put, before a camera that shows what it is given.
+/// A robot with odometry that turns and stands where it is put, before a camera that shows what it is given. Who is put
+/// a centimetre farther each time drives.
 struct RobotWithOdometry : GuardedRobot {
   explicit RobotWithOdometry(const Settings& settings = remembering()) : GuardedRobot(settings) {}
 
@@ -28,7 +29,11 @@ struct RobotWithOdometry : GuardedRobot {
   void passes(double seconds, const Scene& scene) {
     for (double t = 0.0; t < seconds; t += 0.05) {
       pass(0.05);
-      if (has_odometry) control.note_odometry(now.ros + odometry_ahead, pose, twist);
+      const Point2 way = between(before_, pose).place;
+      const bool drives = speed_of(twist) == 0.0 && length_of(way) < 0.011;
+      const Twist2 told = drives ? Twist2{way.x / 0.05, way.y / 0.05, twist.w} : twist;
+      if (has_odometry) control.note_odometry(now.ros + odometry_ahead, pose, told);
+      before_ = pose;
       see(scene);
       wants({});
     }
@@ -50,6 +55,9 @@ struct RobotWithOdometry : GuardedRobot {
   }
 
   const Scene hall;
+
+ private:
+  Pose2 before_;
 };
 
 }  // namespace safety_control_cloud
