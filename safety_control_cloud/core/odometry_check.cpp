@@ -47,8 +47,7 @@ bool OdometryCheck::note_look(const Odometry* odometry, const Given& given, cons
 bool OdometryCheck::note_jump(const Instant& now) {
   if (!all_.has_stood()) return false;
   const bool misplaces = contradiction_at(now.steady).has_value();
-  contradicted_ =
-      Contradicted{now.steady, misplaces, "it stood while the base was told to go, and then jumped"};
+  contradicted_ = Contradicted{now.steady, misplaces, "it stood while the base was told to go, and then jumped"};
   return true;
 }
 
