@@ -55,14 +55,12 @@ class GuardControl {
 
   /// The base says where it is, or a part of it, on which base_frame is at `base`.
   void note_odometry(double stamp, const Pose2& pose, const Twist2& twist, const Pose2& base = {}) {
-    const Given::Fastest told = given_.fastest_of_late();
-    perception_.odometry().note(stamp, beyond(pose, base), twist_of_part(twist, base), told.speed, told.turning);
+    perception_.odometry().note(stamp, beyond(pose, base), twist_of_part(twist, base), given_.fastest_of_late());
   }
 
   /// The same of whom tells poses alone.
   void note_pose(double stamp, const Pose2& pose) {
-    const Given::Fastest told = given_.fastest_of_late();
-    perception_.odometry().note_pose(stamp, pose, told.speed, told.turning);
+    perception_.odometry().note_pose(stamp, pose, given_.fastest_of_late());
   }
 
   /// What is in doubt outside of the sensors. From the next answer on the robot stands for it, until there is none.

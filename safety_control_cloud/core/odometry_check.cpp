@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace safety_control_cloud {
@@ -39,16 +40,19 @@ bool OdometryCheck::note_look(const Odometry* odometry, const Given& given, cons
   if (!odometry || steady < compared_over || !keeps_pace) return false;
   const Compared latest = compared_since(then, *odometry, given, now);
   all_.note(latest, now.steady);
-  if (latest.contradiction && all_.prevail())
-    contradicted_ = Contradicted{now.steady, contradiction_at(now.steady).has_value(), *latest.contradiction};
+  if (latest.contradiction && all_.prevail()) contradict(*latest.contradiction, now.steady);
   return true;
 }
 
 bool OdometryCheck::note_jump(const Instant& now) {
   if (!all_.has_stood()) return false;
-  const bool misplaces = contradiction_at(now.steady).has_value();
-  contradicted_ = Contradicted{now.steady, misplaces, "it stood while the base was told to go, and then jumped"};
+  contradict("it stood while the base was told to go, and then jumped", now.steady);
   return true;
+}
+
+/// What was misplaced before is so still.
+void OdometryCheck::contradict(std::string how, double now) {
+  contradicted_ = Contradicted{now, contradiction_at(now).has_value(), std::move(how)};
 }
 
 std::optional<std::string> OdometryCheck::contradiction_at(double now) const {

@@ -46,6 +46,8 @@ class OdometryCheck {
     std::string how;  ///< in words
   };
 
+  void contradict(std::string how, double now);
+
   double time_;
   Contradictions all_;
   std::optional<Contradicted> contradicted_;

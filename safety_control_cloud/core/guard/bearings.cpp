@@ -54,25 +54,26 @@ void Bearings::note(const ScanView& scan, const Outlook& outlook, double now) {
     measured_[bin_of(bearing - 0.5 * step)] = measured_[bin_of(bearing + 0.5 * step)] = now;
   }
   latest_ = now;
-  find_gaps(now);
+  find_gaps();
 }
+
+bool Bearings::is_recent(double measured) const { return latest_ - measured < lately; }
 
 /// Where a bearing is counted from another turn than the beam's, rounding may take it for the bin beside.
 bool Bearings::measures_at(double bearing) const {
-  const auto is_measured = [&](double at) { return latest_ - measured_[bin_of(at)] < lately; };
+  const auto is_measured = [&](double at) { return is_recent(measured_[bin_of(at)]); };
   return latest_ == never || is_measured(bearing) || is_measured(bearing - 0.5 * bin) ||
          is_measured(bearing + 0.5 * bin);
 }
 
-void Bearings::find_gaps(double now) {
+void Bearings::find_gaps() {
   gaps_.clear();
-  const auto is_seen = [=](double measured) { return now - measured < lately; };
-  const auto first = std::find_if(measured_.begin(), measured_.end(), is_seen);
+  const auto first = std::find_if(measured_.begin(), measured_.end(), [this](double at) { return is_recent(at); });
   if (first == measured_.end()) return gaps_.push_back({0.0, pi});
   const auto begin = static_cast<std::size_t>(first - measured_.begin());
   std::size_t missing = 0;
   for (std::size_t i = 1; i <= bins; ++i) {
-    if (!is_seen(measured_[(begin + i) % bins])) {
+    if (!is_recent(measured_[(begin + i) % bins])) {
       ++missing;
       continue;
     }

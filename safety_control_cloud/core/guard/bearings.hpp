@@ -48,7 +48,8 @@ class Bearings {
   static std::size_t bin_of(double bearing);
   /// By what the beam is, and whether it shows the robot itself.
   bool measures(const ScanView& scan, std::size_t beam, const Outlook& outlook) const;
-  void find_gaps(double now);
+  bool is_recent(double measured) const;
+  void find_gaps();
 
   std::vector<OwnBox> self_;
   Zero zero_;

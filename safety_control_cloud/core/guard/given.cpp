@@ -56,8 +56,8 @@ Twist2 Given::told_at(double moment) const {
   return after == told_.begin() ? Twist2{} : std::prev(after)->twist;
 }
 
-Given::Fastest Given::fastest_of_late() const {
-  Fastest fastest;
+Fastest Given::fastest_of_late() const {
+  Fastest fastest{0.0, 0.0};
   for (auto told = told_.rbegin(); told != told_.rend(); ++told) {
     fastest = {std::max(fastest.speed, speed_of(told->twist)), std::max(fastest.turning, std::abs(told->twist.w))};
     if (told->since < told_.back().since - of_late) break;

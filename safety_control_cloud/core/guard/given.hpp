@@ -27,10 +27,7 @@ class Given {
   /// What it was told last then.
   Twist2 told_at(double moment) const;
 
-  /// The most that it was told to go [m/s] and to turn [rad/s] of late, so that it may do that still.
-  struct Fastest {
-    double speed = 0.0, turning = 0.0;
-  };
+  /// The most that it was told of late, so that it may do that still.
   Fastest fastest_of_late() const;
 
   /// All that it may be doing until a new command has its effect: every twist of the last delay, how it still moves if

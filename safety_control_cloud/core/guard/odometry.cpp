@@ -26,7 +26,16 @@ bool is_finite(const Pose2& pose) { return is_finite(pose.place) && std::isfinit
 /// Of a speed, that is no more than the most.
 double share_within(double most, double speed) { return speed > most ? most / speed : 1.0; }
 
-bool is_within(const Drift& off) { return off.place <= most_off && off.heading <= most_off; }
+Drift unexplained(const Pose2& from, const Pose2& to, const Drift& explained) {
+  const Pose2 way = between(from, to);
+  return {length_of(way.place) - explained.place, std::abs(wrapped(way.heading)) - explained.heading};
+}
+
+/// Whether it lies there, as far as twists explain the way.
+bool is_reached(const Pose2& from, const Pose2& to, const Drift& explained) {
+  const Drift off = unexplained(from, to, explained);
+  return off.place <= most_off && off.heading <= most_off;
+}
 
 Drift beyond_noise(const Drift& off) {
   return {off.place > noise ? off.place : 0.0, off.heading > noise ? off.heading : 0.0};
@@ -34,9 +43,8 @@ Drift beyond_noise(const Drift& off) {
 
 }  // namespace
 
-void Odometry::note(double stamp, const Pose2& pose, const Twist2& twist, double fastest, double fastest_turn) {
-  Noted next{stamp, pose, twist};
-  fastest_ = fastest, fastest_turn_ = fastest_turn;
+void Odometry::note(double stamp, const Pose2& pose, const Twist2& twist, const Fastest& fastest) {
+  Noted next{stamp, pose, twist, fastest};
   if (!std::isfinite(stamp) || !is_finite(pose) || !is_sound(twist)) {
     has_jumped_ = true;  // for all that is known
     forget();
@@ -44,8 +52,9 @@ void Odometry::note(double stamp, const Pose2& pose, const Twist2& twist, double
   }
   if (is_known(next)) return;
   tells_twists_ = tells_twists_ || speed_of(twist) > 0.0 || twist.w != 0.0;
-  if (!noted_.empty() && !goes_on(next)) {
-    has_jumped_ = !is_within(unexplained(noted_.back().pose, pose, {}));
+  const Drift explained = explained_until(next);
+  if (!noted_.empty() && !goes_on(next, explained)) {
+    has_jumped_ = !is_reached(noted_.back().pose, pose, {});
     forget();
   }
   if (noted_.empty()) {
@@ -54,20 +63,21 @@ void Odometry::note(double stamp, const Pose2& pose, const Twist2& twist, double
   } else {  // headings go on beyond a full turn, so that the way between two poses is the short one
     const double before = noted_.back().pose.heading;
     next.pose.heading = before + wrapped(pose.heading - before);
-    count_unexplained(next);
+    count_unexplained(next, explained);
   }
   noted_.push_back(next);
   while (noted_.size() > most || noted_.front().stamp < stamp - kept) noted_.pop_front();
 }
 
-void Odometry::note_pose(double stamp, const Pose2& pose, double fastest, double fastest_turn) {
+void Odometry::note_pose(double stamp, const Pose2& pose, const Fastest& fastest) {
   const double time = noted_.empty() ? 0.0 : stamp - noted_.back().stamp;
-  if (!(time > 0.0)) return note(stamp, pose, {}, fastest, fastest_turn);
+  if (!(time > 0.0)) return note(stamp, pose, {}, fastest);
   const Pose2 way = between(noted_.back().pose, pose);
   const double per_second = 1.0 / time, turn = wrapped(way.heading);
   const Twist2 twist{way.place.x * per_second, way.place.y * per_second, turn * per_second};
-  const double share = std::min(share_within(fastest, speed_of(twist)), share_within(fastest_turn, std::abs(twist.w)));
-  note(stamp, pose, limited(twist, share), fastest, fastest_turn);
+  const double share =
+      std::min(share_within(fastest.speed, speed_of(twist)), share_within(fastest.turning, std::abs(twist.w)));
+  note(stamp, pose, limited(twist, share), fastest);
 }
 
 void Odometry::forget() {
@@ -79,29 +89,24 @@ void Odometry::forget() {
 
 /// From the latest on, so far at most. Of who tells no twists, one that goes on as before is explained.
 Drift Odometry::explained_until(const Noted& next) const {
+  if (noted_.empty()) return {};
   const Noted& last = noted_.back();
   double speed = std::max(speed_of(last.twist), speed_of(next.twist));
   double turning = std::max(std::abs(last.twist.w), std::abs(next.twist.w));
   if (!tells_twists_ && noted_.size() > 1) {
     const Noted& before = noted_[noted_.size() - 2];
     const Pose2 latest = between(before.pose, last.pose);
-    speed = std::max(speed, std::min(fastest_, length_of(latest.place) / (last.stamp - before.stamp)));
-    turning = std::max(turning, std::min(fastest_turn_, std::abs(latest.heading) / (last.stamp - before.stamp)));
+    speed = std::max(speed, std::min(next.fastest.speed, length_of(latest.place) / (last.stamp - before.stamp)));
+    turning = std::max(turning, std::min(next.fastest.turning, std::abs(latest.heading) / (last.stamp - before.stamp)));
   }
   const double explained = (1.0 + most_off_rate) * (next.stamp - last.stamp);
   return {explained * speed, explained * turning};
 }
 
-Drift Odometry::unexplained(const Pose2& from, const Pose2& to, const Drift& explained) {
-  const Pose2 way = between(from, to);
-  return {length_of(way.place) - explained.place, std::abs(wrapped(way.heading)) - explained.heading};
-}
-
 /// At once, or over all of the time since the anchor: a pose that slews slowly, as one that is corrected by and by, is
 /// as wrong as one that jumps as far.
-void Odometry::count_unexplained(Noted& next) {
+void Odometry::count_unexplained(Noted& next, const Drift& explained) {
   const Noted& last = noted_.back();
-  const Drift explained = explained_until(next);
   anchor_.explained = anchor_.explained + explained;
   const Drift at_once = last.unexplained + beyond_noise(unexplained(last.pose, next.pose, explained));
   const Drift in_all = anchor_.unexplained + beyond_noise(unexplained(anchor_.pose, next.pose, anchor_.explained));
@@ -125,11 +130,9 @@ double Odometry::longest_gap_until(double stamp) const {
   return longest_gap + std::max(0.0, std::min(stamp, deaf_->until) - std::max(noted_.back().stamp, deaf_->from));
 }
 
-bool Odometry::goes_on(const Noted& next) const {
+bool Odometry::goes_on(const Noted& next, const Drift& explained) const {
   const double time = next.stamp - noted_.back().stamp;
-  if (!(time > 0.0 && time <= longest_gap_until(next.stamp))) return false;
-  const Drift off = unexplained(noted_.back().pose, next.pose, explained_until(next));
-  return is_within(off);
+  return time > 0.0 && time <= longest_gap_until(next.stamp) && is_reached(noted_.back().pose, next.pose, explained);
 }
 
 Drift Odometry::unexplained_until(double stamp) const {

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <deque>
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -18,14 +17,12 @@ namespace safety_control_cloud {
 class Odometry {
  public:
   /// The robot was at this pose of a frame that rests, and had this twist, at `stamp` [s, ROS time]. Of who leaves the
-  /// twists zero, what goes on as before is explained, up to `fastest` [m/s] and `fastest_turn` [rad/s], which the base
-  /// may have gone by what it was told.
-  void note(double stamp, const Pose2& pose, const Twist2& twist, double fastest = infinite,
-            double fastest_turn = infinite);
+  /// twists zero, what goes on as before is explained, up to `fastest`.
+  void note(double stamp, const Pose2& pose, const Twist2& twist, const Fastest& fastest = {});
 
-  /// The same of whom tells poses alone: its twist is what leads there from the pose before, as far as that is no more
-  /// than these. What is faster no twist explains.
-  void note_pose(double stamp, const Pose2& pose, double fastest, double fastest_turn);
+  /// The same of whom tells poses alone: its twist is what leads there from the pose before, up to `fastest`. What is
+  /// faster no twist explains.
+  void note_pose(double stamp, const Pose2& pose, const Fastest& fastest);
 
   /// Nobody listened from then until then [s, ROS time]: what was said meanwhile is not known, but that it was.
   void note_deafness(double from, double until) { deaf_ = Deaf{from, until}; }
@@ -69,6 +66,7 @@ class Odometry {
     double stamp;
     Pose2 pose;
     Twist2 twist;
+    Fastest fastest;         ///< of who tells no twists
     Drift unexplained = {};  ///< of all the way until there
   };
 
@@ -84,13 +82,10 @@ class Odometry {
     double from, until;  ///< [s, ROS time]
   };
 
-  static constexpr double infinite = std::numeric_limits<double>::infinity();
-
   double longest_gap_until(double stamp) const;
   Drift explained_until(const Noted& next) const;
-  static Drift unexplained(const Pose2& from, const Pose2& to, const Drift& explained);
-  void count_unexplained(Noted& next);
-  bool goes_on(const Noted& next) const;
+  void count_unexplained(Noted& next, const Drift& explained);
+  bool goes_on(const Noted& next, const Drift& explained) const;
   bool is_known(const Noted& said) const;
   void forget();
   Pose2 interpolated(double stamp) const;
@@ -102,7 +97,6 @@ class Odometry {
   bool has_jumped_ = false;
   double since_ = 0.0;
   bool tells_twists_ = false;  ///< some leave them zero for ever
-  double fastest_ = infinite, fastest_turn_ = infinite;
   Anchor anchor_;
 };
 

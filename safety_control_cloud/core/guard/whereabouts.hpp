@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "pose.hpp"
@@ -16,6 +17,11 @@ struct Drift {
 };
 
 inline Drift operator+(const Drift& a, const Drift& b) { return {a.place + b.place, a.heading + b.heading}; }
+
+/// How fast a base may go [m/s] and turn [rad/s], by what it was told of late.
+struct Fastest {
+  double speed = std::numeric_limits<double>::infinity(), turning = std::numeric_limits<double>::infinity();
+};
 
 /// Where the robot is, in a frame that rests.
 struct Whereabouts {

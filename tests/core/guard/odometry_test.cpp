@@ -6,38 +6,10 @@
 #include <cmath>
 #include <optional>
 
+#include "driving_odometry.hpp"
+
 namespace safety_control_cloud {
 namespace {
-
-/// Says for `seconds` from `from` on where a robot is that keeps a twist from the origin on.
-void drive(Odometry& odometry, const Twist2& twist, double from, double seconds) {
-  for (int i = 0; i <= std::lround(seconds / 0.02); ++i) odometry.note(from + 0.02 * i, way_of(twist, 0.02 * i), twist);
-}
-
-void expect_near(const std::optional<Pose2>& way, const Pose2& expected, double tolerance) {
-  ASSERT_TRUE(way);
-  EXPECT_NEAR(way->place.x, expected.place.x, tolerance);
-  EXPECT_NEAR(way->place.y, expected.place.y, tolerance);
-  EXPECT_NEAR(way->heading, expected.heading, 1e-9);
-}
-
-TEST(Pose, APartGoesItsOwnWay) {
-  const double time = 0.8;
-  for (const Twist2& twist : {Twist2{0.3, 0.1, 0.7}, Twist2{0.0, 0.0, -1.5}, Twist2{0.4, 0.0, 0.0}}) {
-    for (const Pose2& part : {Pose2{{0.4, 0.0}, 0.0}, Pose2{{-0.2, 0.3}, 2.5}, Pose2{}}) {
-      const Pose2 way = between(part, beyond(way_of(twist, time), part));
-      expect_near(way_of(twist_of_part(twist, part), time), way, 1e-12);
-    }
-  }
-}
-
-TEST(Pose, AWayIsSeenBackwardByARestingPoint) {
-  const Twist2 twist{0.3, 0.1, 0.7};
-  const Point2 point{1.0, -0.5};
-  const Point2 carried = SeenAfter(way_of(twist, 0.8))(point), direct = moved(point, twist, 0.8);
-  EXPECT_NEAR(carried.x, direct.x, 1e-12);
-  EXPECT_NEAR(carried.y, direct.y, 1e-12);
-}
 
 TEST(Odometry, TellsTheWayBetweenAndBeyondItsPoses) {
   Odometry odometry;
@@ -63,7 +35,7 @@ TEST(Odometry, OfPosesAloneTellsTheSameWayAndTheTwistBetweenThem) {
   for (int i = 0; i <= 100; ++i) {  // through half a turn, where headings are wrapped
     Pose2 pose = way_of(twist, 0.02 * i);
     pose.heading = std::remainder(pose.heading, 2.0 * std::acos(-1.0));
-    odometry.note_pose(10.0 + 0.02 * i, pose, 0.7, 3.14);
+    odometry.note_pose(10.0 + 0.02 * i, pose, {0.7, 3.14});
   }
   EXPECT_EQ(odometry.breaks(), std::size_t{0});
   expect_near(odometry.way_since(10.33, 12.0), way_of(twist, 1.67), 1e-3);
@@ -77,14 +49,14 @@ TEST(Odometry, OfPosesAloneWhatIsFasterThanTheRobotIsAJump) {
   for (const Pose2& odd : {Pose2{{0.5, 0.0}, 0.0}, Pose2{{0.0, -3.0}, 0.0}, Pose2{{0.0, 0.0}, 0.5},
                            Pose2{{std::nan(""), 0.0}, 0.0}, Pose2{{0.0, 0.0}, std::nan("")}}) {
     Odometry odometry;
-    for (int i = 0; i < 10; ++i) odometry.note_pose(10.0 + 0.02 * i, {}, 0.7, 3.14);
-    odometry.note_pose(10.2, odd, 0.7, 3.14);
+    for (int i = 0; i < 10; ++i) odometry.note_pose(10.0 + 0.02 * i, {}, {0.7, 3.14});
+    odometry.note_pose(10.2, odd, {0.7, 3.14});
     EXPECT_EQ(odometry.breaks(), std::size_t{1}) << odd.place.x << ' ' << odd.heading;
     EXPECT_FALSE(odometry.way_since(10.1, 10.2));
   }
   Odometry back;
-  back.note_pose(10.0, {}, 0.7, 3.14);
-  back.note_pose(9.0, {}, 0.7, 3.14);
+  back.note_pose(10.0, {}, {0.7, 3.14});
+  back.note_pose(9.0, {}, {0.7, 3.14});
   EXPECT_EQ(back.breaks(), std::size_t{1});
 }
 
@@ -175,27 +147,6 @@ TEST(Odometry, AHalfTurnIsNoJump) {
   EXPECT_NEAR(way->heading, 0.38, 1e-9);
 }
 
-TEST(Odometry, TellsWhatNoTwistExplains) {
-  Odometry odometry;
-  drive(odometry, {0.4, 0.0, 0.5}, 10.0, 1.0);
-  EXPECT_EQ(odometry.unexplained_until(11.0).place, 0.0);
-  const Pose2 there = way_of({0.4, 0.0, 0.5}, 1.0);
-  for (int i = 1; i <= 3; ++i)
-    odometry.note(11.0 + 0.02 * i, {{there.place.x + 0.09 * i, there.place.y}, there.heading}, {});
-  EXPECT_EQ(odometry.breaks(), std::size_t{0});
-  EXPECT_NEAR(odometry.unexplained_until(11.06).place, 3 * 0.09 - 1.25 * 0.02 * 0.4, 1e-6);
-  EXPECT_NEAR(odometry.unexplained_until(11.03).place, 0.09 - 1.25 * 0.02 * 0.4, 1e-6) << "between two of them";
-  EXPECT_EQ(odometry.unexplained_until(11.06).heading, 0.0);
-  EXPECT_EQ(odometry.unexplained_until(10.5).place, 0.0);
-}
-
-TEST(Odometry, NoiseOfAPoseIsExplained) {
-  Odometry odometry;
-  for (int i = 0; i < 500; ++i) odometry.note(10.0 + 0.02 * i, {{0.004 * (i % 2), 0.0}, -0.004 * (i % 2)}, {});
-  EXPECT_EQ(odometry.unexplained_until(20.0).place, 0.0);
-  EXPECT_EQ(odometry.unexplained_until(20.0).heading, 0.0);
-}
-
 TEST(Odometry, HasJumpedWhoGoesOnElsewhereAndNotWhoPaused) {
   const auto after = [](double stamp, const Pose2& pose) {
     Odometry odometry;
@@ -208,63 +159,6 @@ TEST(Odometry, HasJumpedWhoGoesOnElsewhereAndNotWhoPaused) {
   EXPECT_TRUE(after(14.0, {{0.9, 0.0}, 0.0}).has_jumped());
   EXPECT_TRUE(after(11.02, {{0.3, 0.0}, 1.0}).has_jumped());
   EXPECT_TRUE(after(11.02, {{std::nan(""), 0.0}, 1.0}).has_jumped()) << "for all that is known";
-}
-
-/// As if corrected by and by, and told fifty times a second.
-TEST(Odometry, TellsWhatNoTwistExplainsThoughItSlewsByNoMoreThanNoiseAtATime) {
-  for (const double slew : {0.001, 0.003, 0.009}) {
-    Odometry odometry;
-    drive(odometry, {0.3, 0.0, 0.0}, 10.0, 1.0);
-    for (int i = 1; i <= 120; ++i) odometry.note(11.0 + 0.02 * i, {{0.3, slew * i}, slew * i}, {});
-    EXPECT_EQ(odometry.breaks(), std::size_t{0});
-    const Drift all = odometry.unexplained_until(13.4), earlier = odometry.unexplained_until(12.0);
-    EXPECT_NEAR(all.place, 120 * slew, 0.35 * 120 * slew) << slew;
-    EXPECT_NEAR(all.heading, 120 * slew, 0.35 * 120 * slew) << slew;
-    EXPECT_LT(earlier.place, all.place) << slew;
-  }
-}
-
-/// As TF has it.
-TEST(Odometry, OfPosesAloneWhatTheBaseWasNotToldIsNotExplained) {
-  const auto after = [](double turn, double told) {
-    Odometry odometry;
-    for (int i = 0; i < 10; ++i) odometry.note_pose(10.0 + 0.2 * i, {}, 0.0, told);
-    odometry.note_pose(12.0, {{0.0, 0.0}, turn}, 0.0, told);
-    return odometry;
-  };
-  EXPECT_EQ(after(0.58, 0.0).breaks(), std::size_t{1});
-  EXPECT_EQ(after(0.09, 0.0).breaks(), std::size_t{0});
-  EXPECT_NEAR(after(0.09, 0.0).unexplained_until(12.0).heading, 0.09, 1e-6);
-  EXPECT_EQ(after(0.24, 1.0).breaks(), std::size_t{0}) << "told to turn";
-  EXPECT_EQ(after(0.24, 1.0).unexplained_until(12.0).heading, 0.0);
-}
-
-TEST(Odometry, WhoLeavesTheTwistsZeroIsNotBelievedToGoOnFasterThanTheBaseWasTold) {
-  for (const double told : {0.0, 0.5}) {
-    Odometry odometry;
-    for (int i = 0; i <= 100; ++i) odometry.note(10.0 + 0.02 * i, {{0.008 * i, 0.0}, 0.0}, {}, told, told);
-    if (told == 0.0)
-      EXPECT_NEAR(odometry.unexplained_until(12.0).place, 0.8, 0.05);
-    else
-      EXPECT_LT(odometry.unexplained_until(12.0).place, 0.03);
-  }
-}
-
-/// As some bases leave them zero.
-TEST(Odometry, WhoTellsNoTwistsIsBelievedAsLongAsHeGoesOnAsBefore) {
-  for (const double period : {0.02, 0.1}) {
-    Odometry odometry;
-    double x = 0.0, speed = 0.0, stamp = 10.0;
-    for (; stamp < 14.0; stamp += period) {
-      speed = std::min(0.6, speed + 0.5 * period);
-      x += speed * period;
-      odometry.note(stamp, {{x, 0.0}, 0.3 * x}, {});
-    }
-    EXPECT_EQ(odometry.breaks(), std::size_t{0}) << period;
-    EXPECT_LT(odometry.unexplained_until(14.0).place, 0.05) << period;
-    odometry.note(stamp, {{x + speed * period, 0.09}, 0.3 * x}, {});
-    EXPECT_GT(odometry.unexplained_until(stamp).place, period < 0.05 ? 0.05 : 0.02) << period;
-  }
 }
 
 }  // namespace
