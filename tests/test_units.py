@@ -19,6 +19,7 @@ TESTED_AS = {
     "guard/lost_spots": "guard/known_places_alone_test; and known_places_test: what becomes of a robot by them",
     "guard_sensor": "perception_test: several of them",
     "lost_from_sight": "guard/known_places_test and blindness_test: what becomes of a robot by it",
+    "memory/column_below": "memory/stand_test: what stands by it",
     "memory/cut_off": "leaving_below_test: where a robot stands for it",
     "memory/step_columns": "low_obstacles_test and strays_on_the_floor_test: what becomes of a step by it",
     "sensor_settings": "guard/guard_settings_test and perception_test",

@@ -32,9 +32,9 @@ struct Vicinity {
 
   /// What returns there, in base_frame; of NaN, false.
   bool holds(const Point2& place, double height) const {
-    return height >= bottom && height <= top && dot(place, place) <= distance * distance &&
-           !is_own(self, place.x, place.y, height);
+    return holds(height) && dot(place, place) <= distance * distance && !is_own(self, place.x, place.y, height);
   }
+  bool holds(double height) const { return height >= bottom && height <= top; }
 };
 
 /// Where something returned.

@@ -99,6 +99,7 @@ class OutOfSight {
 
  private:
   using Place = RememberedPlace;
+  using Places = std::unordered_map<std::uint64_t, Place>;  ///< by cell
 
   /// A place as it lies around the robot now, and by how much it may have been displaced meanwhile.
   struct Here {
@@ -107,6 +108,7 @@ class OutOfSight {
     const LooksTaken::Taken& look;  ///< the latest that showed it
   };
 
+  static void put(const Place& place, Places& places);
   const LooksTaken::Taken* shown_by(const Place& place, double now) const;
   void drop_what_is_over(double now);
   void drift(const Drift& way, const Point2& robot);
@@ -126,8 +128,8 @@ class OutOfSight {
   void note_who_does_not_see(Place& shown, const Place& before) const;
 
   OutOfSightLimits limits_;
-  std::unordered_map<std::uint64_t, Place> places_;  ///< by cell
-  LooksTaken looks_;                                 ///< as long as a place of theirs may be kept
+  Places places_;
+  LooksTaken looks_;  ///< as long as a place of theirs may be kept
 };
 
 }  // namespace safety_control_cloud
