@@ -5,7 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "looking_robot.hpp"
+#include "../sanitized.hpp"
+#include "standing_beside.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -40,6 +41,63 @@ TEST(NearLoss, RobotDrivesOnWhenALegHasGoneOfWhichOnlyAnEdgeWasSeenLast) {
     robot.sees(EdgeOfALeg(std::nullopt).view());
     EXPECT_EQ(robot.sees(EdgeOfALeg(column).view()).speed, 0.0) << column;
     EXPECT_EQ(robot.sees(EdgeOfALeg(std::nullopt).view()).speed, 0.2) << column;
+  }
+}
+
+class Edges : public StandingBeside {};
+INSTANTIATE_TEST_SUITE_P(Strays, Edges, testing::ValuesIn(some_of<double>({0.0, 0.001, 0.01, 0.1})));
+
+TEST_P(Edges, RobotDrivesOnWhenALegHasGoneOfWhoseLeaningEdgeASliverWasSeenLast) {
+  const Block hidden = too_near(150, 203);
+  for (const std::size_t foot : {60u, 112u}) {
+    for (const std::size_t at : {202u, 203u, 204u}) {  // at 202 it hides the floor below itself
+      begins();
+      for (const float z : {0.6f, 0.5f, 0.42f}) sees({leg(150, 203, z)}, 2);
+      sees({hidden, column(at, foot)});
+      sees({hidden}, 5);
+      EXPECT_EQ(sees({}, 10).speed, 0.2) << foot << ", " << at;
+    }
+  }
+}
+
+TEST_P(Edges, RobotDrivesOnWhenALegHasGoneOfWhichASliverCameBackIntoView) {
+  begins();
+  for (const float z : {0.6f, 0.5f, 0.42f}) sees({leg(150, 203, z)}, 2);
+  sees({too_near(150, 203)}, 5);
+  sees({too_near(142, 195), column(142, 60, 0.401f)}, 2);
+  sees({too_near(110, 160)}, 2);
+  EXPECT_EQ(sees({}, 10).speed, 0.2);
+}
+
+/// Of which the lower part is beside the corridor already, that ends at column 19.
+TEST_P(Edges, RobotDrivesOnWhenALegHasGoneThatLeanedOutOfTheCorridorBehindAnother) {
+  begins();
+  sees({leg(0, 24, 0.62f), leg(24, 70, 0.49f)}, 2);
+  sees({leg(0, 22, 0.59f), {0, 22, 215, height, 0.6f}, leg(22, 60, 0.48f)});
+  sees({leg(0, 50, 0.47f)}, 3);
+  EXPECT_EQ(sees({}, 10).speed, 0.2);
+}
+
+TEST_P(Edges, SliverStaysBesideALegIfItWasSeenToHangBeforeOrIsMoreThanAnEdge) {
+  const Block hidden = too_near(150, 203);
+  for (const std::size_t columns : {3u, 6u}) {
+    begins();
+    for (const float z : {0.6f, 0.5f, 0.42f}) sees({leg(150, 203, z)}, 2);
+    sees({hidden, column(204, 112, 0.408f, columns)}, 2);
+    sees({hidden}, 3);
+    stands_for_good();
+  }
+}
+
+/// The corridor ends at column 24.
+TEST_P(Edges, BoardStaysThatReachesIntoTheCorridorByAnEdgeBesideALeg) {
+  for (const std::size_t to : {25u, 26u, 28u}) {
+    const Block board = {0, to, 0, 112, 0.61f}, board_too_near = {0, to, 0, 112, nan};
+    begins();
+    for (const float z : {0.6f, 0.56f, 0.52f}) sees({leg(to, 70, z)}, 2);
+    sees({too_near(to, 70), board}, 2);
+    sees({too_near(to, 70), board_too_near}, 3);
+    stands_for_good({board_too_near});
   }
 }
 

@@ -172,60 +172,6 @@ TEST_P(StandingBeside, RobotDrivesOnWhenALegHasGoneThatLeanedForwardAndHadAFootB
   EXPECT_EQ(sees({}, 10).speed, 0.2);
 }
 
-TEST_P(StandingBeside, RobotDrivesOnWhenALegHasGoneOfWhoseLeaningEdgeASliverWasSeenLast) {
-  const Block hidden = too_near(150, 203);
-  for (const std::size_t foot : {60u, 112u}) {
-    for (const std::size_t at : {202u, 203u, 204u}) {  // at 202 it hides the floor below itself
-      begins();
-      for (const float z : {0.6f, 0.5f, 0.42f}) sees({leg(150, 203, z)}, 2);
-      sees({hidden, column(at, foot)});
-      sees({hidden}, 5);
-      EXPECT_EQ(sees({}, 10).speed, 0.2) << foot << ", " << at;
-    }
-  }
-}
-
-TEST_P(StandingBeside, RobotDrivesOnWhenALegHasGoneOfWhichASliverCameBackIntoView) {
-  begins();
-  for (const float z : {0.6f, 0.5f, 0.42f}) sees({leg(150, 203, z)}, 2);
-  sees({too_near(150, 203)}, 5);
-  sees({too_near(142, 195), column(142, 60, 0.401f)}, 2);
-  sees({too_near(110, 160)}, 2);
-  EXPECT_EQ(sees({}, 10).speed, 0.2);
-}
-
-/// Of which the lower part is beside the corridor already, that ends at column 19.
-TEST_P(StandingBeside, RobotDrivesOnWhenALegHasGoneThatLeanedOutOfTheCorridorBehindAnother) {
-  begins();
-  sees({leg(0, 24, 0.62f), leg(24, 70, 0.49f)}, 2);
-  sees({leg(0, 22, 0.59f), {0, 22, 215, height, 0.6f}, leg(22, 60, 0.48f)});
-  sees({leg(0, 50, 0.47f)}, 3);
-  EXPECT_EQ(sees({}, 10).speed, 0.2);
-}
-
-TEST_P(StandingBeside, SliverStaysBesideALegIfItWasSeenToHangBeforeOrIsMoreThanAnEdge) {
-  const Block hidden = too_near(150, 203);
-  for (const std::size_t columns : {3u, 6u}) {
-    begins();
-    for (const float z : {0.6f, 0.5f, 0.42f}) sees({leg(150, 203, z)}, 2);
-    sees({hidden, column(204, 112, 0.408f, columns)}, 2);
-    sees({hidden}, 3);
-    stands_for_good();
-  }
-}
-
-/// The corridor ends at column 24.
-TEST_P(StandingBeside, BoardStaysThatReachesIntoTheCorridorByAnEdgeBesideALeg) {
-  for (const std::size_t to : {25u, 26u, 28u}) {
-    const Block board = {0, to, 0, 112, 0.61f}, board_too_near = {0, to, 0, 112, nan};
-    begins();
-    for (const float z : {0.6f, 0.56f, 0.52f}) sees({leg(to, 70, z)}, 2);
-    sees({too_near(to, 70), board}, 2);
-    sees({too_near(to, 70), board_too_near}, 3);
-    stands_for_good({board_too_near});
-  }
-}
-
 TEST_P(StandingBeside, PostOfTwoCentimetresStaysUntilItGoesWhenTheLegBesideItHasGone) {
   const Block hidden = too_near(150, 203), post = too_near(203, 217);
   begins();
