@@ -71,12 +71,14 @@ class GuardControl {
     perception_.sensor(sensor).note_outside(std::move(doubt));
   }
 
-  /// One of the settings' switches says of an edge whether it is touched there; who said so is no more; or what speaks
-  /// against the switch.
-  void note_switch(std::size_t which, Edge edge, bool touched, const Instant& now) {
-    perception_.switches().note(which, edge, touched, now.steady);
+  /// Of one of the settings' switches: what one who speaks for it says of an edge; who alone could at `as_of` [s,
+  /// steady]; what speaks against it.
+  void note_switch(std::size_t which, const std::string& who, Edge edge, bool touched, const Instant& now) {
+    perception_.switches().note(which, who, edge, touched, now.steady);
   }
-  void note_switch_gone(std::size_t which) { perception_.switches().note_gone(which); }
+  void note_switch_living(std::size_t which, const std::vector<std::string>& who, double as_of) {
+    perception_.switches().note_living(which, who, as_of);
+  }
   void note_about_switch(std::size_t which, std::optional<Doubt> doubt) {
     perception_.switches().note_outside(which, std::move(doubt));
   }

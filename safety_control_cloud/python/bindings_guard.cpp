@@ -29,13 +29,13 @@ void want(core::GuardControl& control, const Triple& linear, const Triple& angul
 }
 
 void note_switch(core::GuardControl& control, const std::string& which, const std::string& side, bool touched,
-                 double now) {
+                 double now, const std::string& who) {
   const core::Switches& switches = control.settings().switches;
   const auto found = std::find_if(switches.begin(), switches.end(), [&](const auto& one) { return one.name == which; });
   if (found == switches.end()) throw py::value_error("there is no switch " + which);
   const auto edge = core::edge_named(side);
   if (!edge) throw py::value_error("a robot has no side " + side);
-  control.note_switch(static_cast<std::size_t>(found - switches.begin()), *edge, touched, instant_of(now, {}));
+  control.note_switch(static_cast<std::size_t>(found - switches.begin()), who, *edge, touched, instant_of(now, {}));
 }
 
 py::tuple ask_override(core::GuardControl& control, double seconds, double speed, double now,
@@ -111,7 +111,8 @@ void bind_guard(py::module& module) {
             control.note_outside(cause ? std::optional(core::Doubt{*cause, reason}) : std::nullopt);
           },
           py::arg("cause"), py::arg("reason") = "")
-      .def("note_switch", &note_switch, py::arg("which"), py::arg("side"), py::arg("touched"), py::arg("now"))
+      .def("note_switch", &note_switch, py::arg("which"), py::arg("side"), py::arg("touched"), py::arg("now"),
+           py::arg("who") = "")
       .def("ask_override", &ask_override, py::arg("seconds"), py::arg("speed"), py::arg("now"),
            py::arg("ros_now") = py::none(), py::arg("even_in_doubt") = false)
       .def(

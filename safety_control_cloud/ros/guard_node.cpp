@@ -66,8 +66,9 @@ GuardNode::GuardNode(ros::NodeHandle handle, ros::NodeHandle private_handle, Del
   for (const SwitchSettings& one : settings.switches) {
     const std::size_t which = switches_.size();
     switches_.push_back(std::make_unique<SwitchInput>(
-        handle, one, [this, which](Edge edge, bool touched) { on_switch(which, edge, touched); },
-        [this, which] { control_.note_switch_gone(which); }));
+        handle, one,
+        [this, which](const std::string& who, Edge edge, bool touched) { on_switch(which, who, edge, touched); },
+        [this, which](const auto& living) { control_.note_switch_living(which, living.names, living.as_of); }));
   }
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     channels_[i]->open(
@@ -123,10 +124,10 @@ void GuardNode::see(std::size_t sensor, const Arrival& arrival, const Instant& c
   }
 }
 
-void GuardNode::on_switch(std::size_t which, Edge edge, bool touched) {
+void GuardNode::on_switch(std::size_t which, const std::string& who, Edge edge, bool touched) {
   const Instant came = now();
   beat(came);
-  control_.note_switch(which, edge, touched, came);
+  control_.note_switch(which, who, edge, touched, came);
   const Guarded& decided = answer();
   if (changes(decided)) publish(decided);
 }

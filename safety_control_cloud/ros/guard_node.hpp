@@ -43,7 +43,7 @@ class GuardNode : public Node {
  private:
   void on_arrival(std::size_t sensor, const Arrival& arrival);
   void on_wanted(const geometry_msgs::Twist& wanted, std::optional<double> stamp);
-  void on_switch(std::size_t which, Edge edge, bool touched);
+  void on_switch(std::size_t which, const std::string& who, Edge edge, bool touched);
   void on_footprint(const geometry_msgs::PolygonStamped& polygon);
   void on_quiet();
   bool on_override(OverrideRequest& wish, OverrideResponse& response);

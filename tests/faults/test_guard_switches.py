@@ -9,10 +9,12 @@ from genpy.dynamic import generate_dynamic
 from guarded import ZERO, bits, guarded_robot, twist
 from robot import GRACE, after, eventually
 from std_msgs.msg import Bool, Int8
+from std_srvs.srv import Trigger
 
 from safety_control_cloud.processes import process
 
-PARAMETERS = "/safety_control_cloud/"
+NODE = "/safety_control_cloud"
+PARAMETERS = NODE + "/"
 # As kobuki_msgs has it, which Debian has not.
 BUMPER_EVENT = generate_dynamic("kobuki_msgs/BumperEvent", "uint8 bumper\nuint8 state\n")["kobuki_msgs/BumperEvent"]
 SWITCHES = [
@@ -156,4 +158,18 @@ def test_one_whose_driver_was_killed_stops_the_robot_and_its_successor_is_heard_
     with driver_that_says("Int8", "0"):
         assert "std_msgs/Int8" in robot.gives(lambda state: state.cause_text == "UNREADABLE", within=10.0).reason
     robot.front = Switch("/bumper", Bool)
+    robot.passes(AHEAD)
+
+
+def test_what_a_driver_touched_that_was_killed_holds_beside_another_until_reset(robot):
+    drives(robot)
+    with driver_that_says("Bool", "true") as driver:
+        robot.stands("BUMPER", within=10.0)
+        robot.front.say(False)
+        robot.gives(lambda state: state.cause_text == "BUMPER" and bits(state.given) == ZERO, lasts=2 * RELEASE)
+        driver.send(signal.SIGKILL)
+        assert "~reset" in robot.gives(lambda state: state.cause_text == "BUMPER" and state.hint, within=10.0).hint
+    robot.front.say(False)
+    robot.gives(lambda state: state.cause_text == "BUMPER" and bits(state.given) == ZERO, lasts=2 * RELEASE)
+    assert rospy.ServiceProxy(NODE + "/reset", Trigger)().success
     robot.passes(AHEAD)

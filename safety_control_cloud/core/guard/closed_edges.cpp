@@ -2,6 +2,7 @@
 #include "closed_edges.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <utility>
@@ -13,6 +14,7 @@ namespace safety_control_cloud {
 namespace {
 
 const std::vector<Ring> nothing_seen;
+const std::string nobody;  ///< who spoke to another process
 constexpr const char* version = "touched-1";
 constexpr const char* end = "end";
 constexpr std::size_t most = 1000;  ///< edges
@@ -30,22 +32,53 @@ std::string in_words(SwitchKind kind, Edge edge) {
 
 }  // namespace
 
-void ClosedEdges::note(std::size_t which, Edge edge, bool touched, double now) {
-  State& state = states_[which];
-  state.spoke_at = now;
-  if (!touched && state.words.count(edge) == 0) return;
-  Word& word = state.words[edge];
-  if (word.touched != touched || word.is_left) word = {touched, now};
+bool ClosedEdges::Said::is_touched() const {
+  return std::any_of(by.begin(), by.end(), [](const auto& one) { return one.second.touched; });
 }
 
-void ClosedEdges::note_gone(std::size_t which) {
-  for (auto& [edge, word] : states_[which].words) word.is_left = word.touched;
+bool ClosedEdges::Said::is_left() const {
+  return std::any_of(by.begin(), by.end(), [](const auto& one) { return one.second.left_at.has_value(); });
+}
+
+bool ClosedEdges::Said::is_released_since(double moment) const {
+  return std::all_of(by.begin(), by.end(),
+                     [&](const auto& one) { return !one.second.touched && one.second.since <= moment; });
+}
+
+void ClosedEdges::note(std::size_t which, const std::string& who, Edge edge, bool touched, double now) {
+  State& state = states_[which];
+  state.spoke_at = now;
+  const double began_at = state.began_at.try_emplace(who, now).first->second;
+  const auto follows = [&](const std::string& one, const Word& word) {
+    return word.left_at && (one == who || began_at > *word.left_at);
+  };
+  auto& said = state.edges[edge].by;
+  const auto own = said.find(who);
+  bool changes = own == said.end() ? touched : own->second.touched != touched;
+  for (auto it = said.begin(); it != said.end();) {
+    const bool is_succeeded = follows(it->first, it->second);
+    changes = changes || is_succeeded;
+    it = is_succeeded ? said.erase(it) : std::next(it);
+  }
+  if (changes) said[who] = {touched, now, std::nullopt};
+}
+
+void ClosedEdges::note_living(std::size_t which, const std::vector<std::string>& who, double as_of) {
+  State& state = states_[which];
+  const auto is_gone = [&](const std::string& one) { return std::find(who.begin(), who.end(), one) == who.end(); };
+  for (auto& [edge, said] : state.edges) {
+    for (auto& [one, word] : said.by)
+      if (word.touched && !word.left_at && word.since <= as_of && is_gone(one)) word.left_at = as_of;
+  }
+  for (auto it = state.began_at.begin(); it != state.began_at.end();)
+    it = it->second <= as_of && is_gone(it->first) ? state.began_at.erase(it) : std::next(it);
 }
 
 void ClosedEdges::reset() {
   for (State& state : states_) {
-    for (auto& [edge, word] : state.words)
-      if (word.is_left) word = {};
+    for (auto& [edge, said] : state.edges) {
+      for (auto it = said.by.begin(); it != said.by.end();) it = it->second.left_at ? said.by.erase(it) : std::next(it);
+    }
   }
 }
 
@@ -53,8 +86,8 @@ std::string ClosedEdges::remembered() const {
   std::ostringstream edges;
   std::size_t count = 0;
   for (const State& state : states_) {
-    for (const auto& [edge, word] : state.words) {
-      if (!word.touched) continue;
+    for (const auto& [edge, said] : state.edges) {
+      if (!said.is_touched()) continue;
       edges << ' ' << state.settings.name << ' ' << name_of(edge);
       ++count;
     }
@@ -73,7 +106,7 @@ bool ClosedEdges::recall(const std::string& remembered) {
     const auto state = std::find_if(states.begin(), states.end(), is_it);
     const auto edge = edge_named(reader.word());
     if (state == states.end() || !edge) return false;
-    state->words[*edge] = {true, 0.0, true};
+    state->edges[*edge].by[nobody] = {true, 0.0, -std::numeric_limits<double>::infinity()};
   }
   if (!reader.good() || reader.word() != end) return false;
   states_ = std::move(states);
@@ -98,14 +131,15 @@ std::vector<Known> ClosedEdges::known_at(double now, double release_time) const 
       all.push_back(said_by(one));
       all.back().doubt = state.outside ? *state.outside : Doubt{Cause::Silent, "no word of it for its timeout"};
     }
-    for (const auto& [edge, word] : state.words) {
-      if (!word.touched && now - word.since >= release_time) continue;
+    for (const auto& [edge, said] : state.edges) {
+      if (said.is_released_since(now - release_time)) continue;
       Known closed = said_by(one);
       closed.is_touched = true;
       closed.eye = Eye{{}, direction_of(edge), 0.0};
       const std::string reason =
-          word.touched ? in_words(one.type, edge) : words("it was so until just now: ", in_words(one.type, edge));
-      if (word.is_left) closed.hint = "its driver says that it is released, or after ~reset, when somebody has looked";
+          said.is_touched() ? in_words(one.type, edge) : words("it was so until just now: ", in_words(one.type, edge));
+      if (said.is_left())
+        closed.hint = "its driver says that it is released, or after ~reset, when somebody has looked";
       closed.lost = Doubt{one.type == SwitchKind::Cliff ? Cause::Cliff : Cause::Bumper, reason};
       all.push_back(std::move(closed));
     }

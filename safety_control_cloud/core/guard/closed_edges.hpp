@@ -12,16 +12,18 @@
 
 namespace safety_control_cloud {
 
-/// Which edges of the robot its switches close: each from the first touch until it has been released and held so.
+/// Which edges of the robot its switches close: each from the first touch until all who speak for it say that it is
+/// released, and it was held so.
 class ClosedEdges {
  public:
   explicit ClosedEdges(const Switches& switches) : states_(switches.begin(), switches.end()) {}
 
-  /// A switch says of an edge whether it is touched there, at `now` [s, steady].
-  void note(std::size_t which, Edge edge, bool touched, double now);
+  /// One who speaks for a switch, a node's name, says of an edge whether it is touched there, at `now` [s, steady].
+  void note(std::size_t which, const std::string& who, Edge edge, bool touched, double now);
 
-  /// Who said what one has said so far is no more; it holds until whoever follows says otherwise, or reset().
-  void note_gone(std::size_t which);
+  /// Who alone could speak for one at `as_of` [s, steady]. What others said until then holds until they are back and
+  /// say otherwise, or one does who began to speak since, or reset().
+  void note_living(std::size_t which, const std::vector<std::string>& who, double as_of);
 
   /// What was said by who is no more is forgotten: somebody has looked.
   void reset();
@@ -46,15 +48,23 @@ class ClosedEdges {
  private:
   struct Word {
     bool touched = false;
-    double since = 0.0;    ///< [s, steady]
-    bool is_left = false;  ///< by who is no more
+    double since = 0.0;             ///< [s, steady]
+    std::optional<double> left_at;  ///< when who said it was found to be no more [s, steady]
+  };
+  struct Said {
+    std::map<std::string, Word> by;  ///< name
+
+    bool is_touched() const;
+    bool is_left() const;
+    bool is_released_since(double moment) const;
   };
   struct State {
     State(const SwitchSettings& of) : settings(of) {}
 
     SwitchSettings settings;
-    std::map<Edge, Word> words;
-    std::optional<double> spoke_at;  ///< [s, steady]
+    std::map<Edge, Said> edges;
+    std::map<std::string, double> began_at;  ///< when who lives first spoke [s, steady]
+    std::optional<double> spoke_at;          ///< [s, steady]
     std::optional<Doubt> outside;
   };
 

@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "../time/moments.hpp"
 #include "living.hpp"
 
 namespace safety_control_cloud {
@@ -65,14 +66,19 @@ Connected::~Connected() {
 }
 
 std::vector<std::string> Connected::names(std::size_t connected) {
+  const auto known = living(connected);
+  return known ? known->names : std::vector<std::string>{"somebody whose name the ROS master has yet to tell"};
+}
+
+std::optional<Connected::Living> Connected::living(std::size_t connected) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (connected != connected_) {
     connected_ = connected;
     answer_.reset();
     asked_.notify_all();
   }
-  if (connected == 0) return {};
-  return answer_ ? *answer_ : std::vector<std::string>{"somebody whose name the ROS master has yet to tell"};
+  if (connected == 0) return Living{{}, now().steady};
+  return answer_;
 }
 
 void Connected::ask() {
@@ -82,9 +88,10 @@ void Connected::ask() {
     if (ending_ || connected_ == 0) continue;
     const std::size_t connected = connected_;
     lock.unlock();
+    const double as_of = now().steady;
     auto names = living_publishers_of(topic_, self_);
     lock.lock();
-    if (names && connected == connected_) answer_ = std::move(names);
+    if (names && connected == connected_) answer_ = Living{std::move(*names), as_of};
     if (!names) asked_.wait_for(lock, for_seconds(period));
   }
 }

@@ -23,7 +23,15 @@ class Connected {
   explicit Connected(std::string topic, Self self = Self::LeftOut);
   ~Connected();
 
-  /// Who they are that live, as far as is known, if this many are connected now. Returns at once.
+  struct Living {
+    std::vector<std::string> names;
+    double as_of;  ///< [s, steady]
+  };
+
+  /// Who they are that live, if this many are connected now; none: nobody has told yet. Returns at once.
+  std::optional<Living> living(std::size_t connected);
+
+  /// The same in words, also of those whose names are not known.
   std::vector<std::string> names(std::size_t connected);
 
  private:
@@ -34,7 +42,7 @@ class Connected {
   std::mutex mutex_;
   SteadyCondition asked_;
   std::size_t connected_ = 0;
-  std::optional<std::vector<std::string>> answer_;  ///< to the present number of them
+  std::optional<Living> answer_;  ///< to the present number of them
   bool ending_ = false;
   std::thread thread_;
 };

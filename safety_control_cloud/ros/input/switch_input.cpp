@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "switch_input.hpp"
 
+#include <ros/message_event.h>
 #include <ros/serialization.h>
 
 #include <cstdint>
@@ -13,6 +14,8 @@
 
 namespace safety_control_cloud {
 namespace {
+
+using Event = ros::MessageEvent<const topic_tools::ShapeShifter>;
 
 constexpr std::uint32_t unread = 100;  ///< a word that tells of a change must not be lost behind later ones
 
@@ -33,10 +36,10 @@ Edge edge_of(const SwitchWord& word, const SwitchSettings& settings) {
 }  // namespace
 
 SwitchInput::SwitchInput(ros::NodeHandle& handle, const SwitchSettings& settings, OnSwitch on_switch,
-                         std::function<void()> on_gone)
+                         OnLiving on_living)
     : settings_(settings),
       on_switch_(std::move(on_switch)),
-      on_gone_(std::move(on_gone)),
+      on_living_(std::move(on_living)),
       handle_(handle),
       publishers_(handle.resolveName(named_in(handle, settings.topic)), Connected::Self::Counts) {
   subscribe();
@@ -45,27 +48,28 @@ SwitchInput::SwitchInput(ros::NodeHandle& handle, const SwitchSettings& settings
 void SwitchInput::subscribe() {
   subscriber_.shutdown();
   subscriber_ = handle_.subscribe<topic_tools::ShapeShifter>(
-      named_in(handle_, settings_.topic), unread,
-      boost::function<void(const topic_tools::ShapeShifter::ConstPtr&)>(
-          [this](const topic_tools::ShapeShifter::ConstPtr& message) { on_message(*message); }),
+      named_in(handle_, settings_.topic), unread, boost::function<void(const Event&)>([this](const Event& event) {
+        on_message(event.getPublisherName(), *event.getConstMessage());
+      }),
       nullptr, ros::TransportHints().tcpNoDelay());
 }
 
 void SwitchInput::note_publishers() {
   const bool was_published = is_published_;
-  is_published_ = !publishers_.names(subscriber_.getNumPublishers()).empty();
+  const auto living = publishers_.living(subscriber_.getNumPublishers());
+  is_published_ = !living || !living->names.empty();
+  if (living) on_living_(*living);
   if (!was_published || is_published_) return;
   unreadable_.reset();
-  on_gone_();
   subscribe();
 }
 
-void SwitchInput::on_message(const topic_tools::ShapeShifter& message) {
+void SwitchInput::on_message(const std::string& who, const topic_tools::ShapeShifter& message) {
   try {
     const SwitchWord word = word_in(message.getDataType(), bytes_of(message));
     const Edge edge = edge_of(word, settings_);
     unreadable_.reset();
-    on_switch_(edge, word.touched);
+    on_switch_(who, edge, word.touched);
   } catch (const std::invalid_argument& problem) {
     unreadable_ = Doubt{Cause::Unreadable, problem.what()};
   }

@@ -15,14 +15,15 @@
 
 namespace safety_control_cloud {
 
-using OnSwitch = std::function<void(Edge edge, bool touched)>;
+using OnSwitch = std::function<void(const std::string& who, Edge edge, bool touched)>;
 
 /// One switch's way into the node, whatever type its topic has.
 class SwitchInput {
  public:
-  /// Each word that can be read is handed over; and that all have gone who said any.
-  SwitchInput(ros::NodeHandle& handle, const SwitchSettings& settings, OnSwitch on_switch,
-              std::function<void()> on_gone);
+  using OnLiving = std::function<void(const Connected::Living& living)>;
+
+  /// Each word that can be read is handed over, and who lives to say any.
+  SwitchInput(ros::NodeHandle& handle, const SwitchSettings& settings, OnSwitch on_switch, OnLiving on_living);
   SwitchInput(const SwitchInput&) = delete;
   SwitchInput& operator=(const SwitchInput&) = delete;
 
@@ -35,11 +36,11 @@ class SwitchInput {
 
  private:
   void subscribe();
-  void on_message(const topic_tools::ShapeShifter& message);
+  void on_message(const std::string& who, const topic_tools::ShapeShifter& message);
 
   const SwitchSettings settings_;
   OnSwitch on_switch_;
-  std::function<void()> on_gone_;
+  OnLiving on_living_;
   std::optional<Doubt> unreadable_;
   ros::NodeHandle handle_;
   ros::Subscriber subscriber_;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "guarded_robot.hpp"
 
@@ -25,7 +26,16 @@ Settings with_switches() {
 struct Robot : GuardedRobot {
   explicit Robot(const Settings& settings = with_switches()) : GuardedRobot(settings) { drives(hall, forward); }
 
-  void says(std::size_t which, Edge edge, bool touched) { control.note_switch(which, edge, touched, now); }
+  void says(std::size_t which, Edge edge, bool touched, const std::string& who = "driver") {
+    control.note_switch(which, who, edge, touched, now);
+  }
+
+  /// Found out a moment after the latest word.
+  void live(std::size_t which, const std::vector<std::string>& who) {
+    now = {now.steady + 0.001, now.ros + 0.001};
+    control.note_switch_living(which, who, now.steady);
+    now = {now.steady + 0.001, now.ros + 0.001};
+  }
 
   const Guarded& goes_on(double seconds, const Twist2& twist) {
     for (double gone = 0.0; gone < seconds - 1e-9; gone += 0.05) drives_on(hall, twist);
@@ -64,7 +74,7 @@ TEST(ClosedEdges, WhatADriverSaidThatIsNoMoreHoldsUntilItsSuccessorSpeaksOrReset
     robot.says(kobuki, Edge::Front, true);
     robot.control.forget_losses();
     EXPECT_EQ(robot.goes_on(1.0, forward).cause, Cause::Bumper) << "somebody says so still";
-    robot.control.note_switch_gone(kobuki);
+    robot.live(kobuki, {});
     EXPECT_EQ(robot.goes_on(1.0, forward).cause, Cause::Bumper);
     EXPECT_NE(robot.wants(forward).hint.find("~reset"), std::string::npos) << robot.wants(forward).hint;
     is_reset ? robot.control.forget_losses() : robot.says(kobuki, Edge::Front, false);
@@ -75,10 +85,54 @@ TEST(ClosedEdges, WhatADriverSaidThatIsNoMoreHoldsUntilItsSuccessorSpeaksOrReset
 TEST(ClosedEdges, WhatItsSuccessorSaysIsItsOwn) {
   Robot robot;
   robot.says(kobuki, Edge::Front, true);
-  robot.control.note_switch_gone(kobuki);
+  robot.live(kobuki, {});
   robot.says(kobuki, Edge::Front, true);
   robot.control.forget_losses();
   EXPECT_EQ(robot.goes_on(1.0, forward).cause, Cause::Bumper);
+}
+
+TEST(ClosedEdges, OfTwoWhoSpeakForItTheOneDoesNotReleaseWhatTheOtherTouches) {
+  Robot robot;
+  robot.says(bumper, Edge::Front, true, "left");
+  robot.says(bumper, Edge::Front, false, "right");
+  EXPECT_EQ(robot.goes_on(1.0, forward).cause, Cause::Bumper);
+  robot.says(bumper, Edge::Front, false, "right");
+  EXPECT_EQ(robot.goes_on(1.0, forward).cause, Cause::Bumper);
+  robot.says(bumper, Edge::Front, false, "left");
+  EXPECT_EQ(robot.goes_on(1.0, forward).factor, 1.0) << robot.wants(forward).reason;
+}
+
+/// Another one lives, and speaks for it too.
+TEST(ClosedEdges, WhatOneOfTwoLeftHoldsUntilItIsBackOrAnotherHasBegunOrReset) {
+  for (const char* end : {"it is back", "another has begun", "~reset"}) {
+    Robot robot;
+    robot.says(kobuki, Edge::Front, true, "left");
+    robot.says(kobuki, Edge::Rear, false, "right");
+    robot.live(kobuki, {"left", "right"});
+    robot.control.forget_losses();
+    robot.says(kobuki, Edge::Front, false, "right");
+    EXPECT_EQ(robot.goes_on(1.0, forward).cause, Cause::Bumper) << end;
+    robot.live(kobuki, {"right"});
+    robot.says(kobuki, Edge::Front, false, "right");
+    EXPECT_EQ(robot.goes_on(1.0, forward).cause, Cause::Bumper) << end;
+    EXPECT_NE(robot.wants(forward).hint.find("~reset"), std::string::npos) << robot.wants(forward).hint;
+    if (end == std::string("~reset")) robot.control.forget_losses();
+    if (end == std::string("it is back")) robot.says(kobuki, Edge::Front, false, "left");
+    if (end == std::string("another has begun")) robot.says(kobuki, Edge::Front, false, "next");
+    EXPECT_EQ(robot.goes_on(1.0, forward).factor, 1.0) << end << ": " << robot.wants(forward).reason;
+  }
+}
+
+/// Who was asked for before it spoke is not gone for that.
+TEST(ClosedEdges, WhoBeganToSpeakSinceTheyWereAskedForLives) {
+  Robot robot;
+  const double asked = robot.now.steady - 0.01;
+  robot.says(kobuki, Edge::Front, true, "new");
+  robot.control.note_switch_living(kobuki, {"old"}, asked);
+  robot.control.forget_losses();
+  EXPECT_EQ(robot.goes_on(1.0, forward).cause, Cause::Bumper);
+  robot.says(kobuki, Edge::Front, false, "new");
+  EXPECT_EQ(robot.goes_on(1.0, forward).factor, 1.0) << robot.wants(forward).reason;
 }
 
 TEST(ClosedEdges, AwayFromItIsOpenAtEscapeSpeedAndNothingElse) {
