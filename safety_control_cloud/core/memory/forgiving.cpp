@@ -136,8 +136,22 @@ class Forgiving {
   /// What has left at the lower border is looked over: then the floor is seen again too.
   bool may_have_left(std::size_t i, bool is_past) const {
     if (thing_.is_seen()) return false;
-    if (leaves_at_the_bottom(shown(i), gaze_.nearer, picture_)) return is_past || shows_floor_below(i);
+    if (leaves_at_the_bottom(shown(i), gaze_.nearer, picture_))
+      return (is_past || shows_floor_below(i)) && !is_there_above(i);
     return is_past && leaves_at_the_top(shown(i), picture_) && !shows_floor_below(i);
+  }
+
+  /// Whether the same wall is still there right above it, beside the corridor: a wall that came nearer would not be.
+  bool is_there_above(std::size_t i) const {
+    const std::vector<Spot>& lost = thing_.lost;
+    const Spot* above = nullptr;
+    for (const Spot& spot : lost) {
+      const bool is_above = spot.column == lost[i].column && spot.row < lost[i].row;
+      if (is_above && (!above || spot.row > above->row)) above = &spot;
+    }
+    if (!above || std::abs(above->point.z - lost[i].point.z) > noise_at(above->point.z)) return false;
+    const bool were_seen_at_once = above->picture != 0 && above->picture == lost[i].picture;
+    return were_seen_at_once && said_[static_cast<std::size_t>(above - lost.data())] == Evidence::There;
   }
 
   /// As a thing that is seen; what comes nearer while a part of it is seen is that thing itself.

@@ -36,7 +36,8 @@ struct NearFloor {
 /// - Of a cloud that is not organised the picture is a raster, in which what is thin leaves no hole: it is not seen
 ///   past while nothing may return on the rays that it would take.
 /// - What leaves the picture at its upper border, within the corridor, is not seen to go by what is seen below it. Nor
-///   is what leaves it at the lower border, from one cloud to the next, by what is seen over it.
+///   is what leaves it at the lower border, from one cloud to the next, by what is seen over it, unless the same wall
+///   is still there right above it, beside the corridor.
 void forgive(Remembered& thing, const Pixels& picture, const NearFloor& floor, const Gaze& gaze);
 
 }  // namespace safety_control_cloud

@@ -145,5 +145,34 @@ TEST(Forgiving, WhatHungNeitherGoesAlongWithWhatStoodBelowItNorKeepsThat) {
   }
 }
 
+/// A wall that went out of the corridor, say as the robot backed off: its lowest spot, 0.5 m away, lies where what
+/// comes nearer leaves the picture. Above that it was so far away [m], and seen last in this picture.
+struct LostWall : Remembered {
+  LostWall(float above, std::uint32_t picture_above) {
+    for (const std::uint16_t row : {std::uint16_t{95}, lowest}) {
+      Spot spot = spot_at(80, true);
+      const bool is_lowest = row == lowest;
+      spot.row = row, spot.point.z = is_lowest ? 0.5f : above, spot.picture = is_lowest ? 7 : picture_above;
+      if (!is_lowest) spot.share = 0.1f;  // or the lowest goes along, as the small rest of it
+      lost.push_back(spot);
+    }
+  }
+  std::size_t left_after(const Shown& shown) {
+    const std::vector<std::size_t> floor_rows;
+    forgive(*this, shown.picture(), {[](std::size_t) { return true; }, floor_rows}, Gaze(ahead, {}, 0.07f));
+    return lost.size();
+  }
+
+  static constexpr std::uint16_t lowest = 115;
+};
+
+TEST(Forgiving, TheLowestOfAWallIsThereWhereItIsStillThereRightAboveThat) {
+  const Shown beside_the_corridor = wall.with(75, 85, {0.0f, 0.0f, 0.525f});
+  EXPECT_EQ(LostWall(0.5f, 7).left_after(beside_the_corridor), 0u);
+  EXPECT_EQ(LostWall(0.55f, 7).left_after(beside_the_corridor), 1u) << "it is another one";
+  EXPECT_EQ(LostWall(0.5f, 9).left_after(beside_the_corridor), 1u) << "it was seen later";
+  EXPECT_EQ(LostWall(0.5f, 0).left_after(beside_the_corridor), 1u) << "nobody knows when it was seen";
+}
+
 }  // namespace
 }  // namespace safety_control_cloud
