@@ -172,7 +172,8 @@ Evidence evidence_of(const Spot& spot, const Pixels& picture) {
   }
   const int enough = (spot.company + 1) / 2;
   if (there + before >= enough) return there > 0 ? Evidence::There : Evidence::Hidden;
-  if (around.count == 0 || 4 * around.agreeing() < 3 * spot.company) return Evidence::Nothing;
+  const int behind = around.agreeing();
+  if (behind == 0 || 2 * behind < spot.company || 4 * (behind + there) < 3 * spot.company) return Evidence::Nothing;
   if (hole_on_the_way(spot, picture, reach_of_hole(picture))) return Evidence::Nothing;
   return Evidence::Past;
 }

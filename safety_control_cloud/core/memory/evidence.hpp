@@ -18,8 +18,10 @@ enum class Evidence : std::uint8_t {
 };
 
 /// A return proves little alone: sensors return stray ranges where they see nothing. What is behind a thing returns in
-/// nearly all pixels around the spot that returned when the thing was seen, at ranges that agree. And a thing that has
-/// come too near to return lies farther from the middle of the picture than it did: no hole may be seen on that way.
+/// nearly all pixels around the spot that returned when the thing was seen, at ranges that agree, but for fewer than
+/// half of them, which may show a part of it that is still there: at its edge it has moved by a pixel. And a thing that
+/// has come too near to return lies farther from the middle of the picture than it did: no hole may be seen on that
+/// way.
 Evidence evidence_of(const Spot& spot, const Pixels& picture);
 
 /// Whether there is a hole where the thing left none, wider than noise makes them: where it was seen, or where what

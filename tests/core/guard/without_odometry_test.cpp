@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "../memory/lens.hpp"
 #include "robot_with_odometry.hpp"
 
 namespace safety_control_cloud {
@@ -112,6 +114,37 @@ TEST(WithoutOdometry, WhatIsBesideTheTailCountsForTheArcThatLeadsAwayFromIt) {
     const Guarded& answer = robot.drives_on(robot.hall, {0.3, 0.0, -1.2});
     EXPECT_EQ(answer.factor < 0.5, is_there) << answer.reason;
     EXPECT_EQ(robot.drives_on(robot.hall, {0.3, 0.0, 0.0}).factor, 1.0) << robot.wants({0.3, 0.0, 0.0}).reason;
+  }
+}
+
+/// 17 cm thick, before a wall.
+std::vector<Board> round_post(double z, double x) {
+  constexpr double radius = 0.086;
+  std::vector<Board> boards{wall_before(2.5)};
+  for (double beside = -0.08; beside < 0.085; beside += 0.01) {
+    const double front = z - std::sqrt(radius * radius - beside * beside);
+    boards.push_back(post(static_cast<float>(front), static_cast<float>(x + beside), 0.0101f));
+  }
+  return boards;
+}
+
+/// Of the pixels around its edge some show it still, and some the wall behind it.
+TEST(WithoutOdometry, WhoTurnsBeforeAPostDoesNotLoseAnEdgeOfItForGood) {
+  const Lens lens;
+  for (const double turning : {0.6, -0.6, 0.4}) {
+    for (const double ahead : {0.55, 0.6, 0.65, 0.8}) {
+      RobotWithoutOdometry robot;
+      double heading = 0.0;
+      for (int i = 0; i < 30 && std::abs(heading) < 0.4; ++i) {
+        const double z = ahead * std::cos(heading), x = ahead * std::sin(heading);
+        const auto points = lens.points(round_post(z, x));
+        robot.pass(0.1);
+        robot.see(lens.view_of_rows(points));
+        const Guarded& answer = robot.wants({0.0, 0.0, i < 5 ? 0.0 : turning});
+        heading += 0.1 * answer.given.angular[2];
+      }
+      EXPECT_GE(std::abs(heading), 0.4) << turning << ", " << ahead << ": " << robot.wants({0.0, 0.0, turning}).reason;
+    }
   }
 }
 

@@ -83,6 +83,20 @@ struct Wall {
   }
 };
 
+/// What was seen there has moved aside by a pixel, or the camera has turned by one.
+TEST(Evidence, BesideAnEdgeOfItThatIsStillThereItIsSeenPast) {
+  EXPECT_EQ(said({0.4f, 2.0f, 2.05f, 0.4f, 2.1f}), Evidence::Past);
+  EXPECT_EQ(said({0.4f, 2.0f, 2.05f, 2.1f}), Evidence::Past) << "as many as nearly returned, in all";
+  EXPECT_EQ(said({0.4f, 0.4f, 2.0f, 2.05f}), Evidence::Nothing) << "fewer than half of them behind it";
+  EXPECT_EQ(said({0.4f, 2.0f, 4.0f, 0.4f, 3.0f}), Evidence::Nothing) << "strays";
+  EXPECT_EQ(said({0.2f, 2.0f, 2.05f, 2.1f}), Evidence::Nothing) << "it may be what has come before it";
+  Wall wall(size, size);
+  for (std::size_t row = 0; row < size; ++row) wall.points[row * size + 5] = {0.0f, 0.0f, 0.4f};
+  EXPECT_EQ(wall.said_of(4, 4), Evidence::Past);
+  for (std::size_t row = 3; row <= 5; ++row) wall.blank(row, 4);
+  EXPECT_EQ(wall.said_of(4, 4), Evidence::Nothing) << "a hole as wide as a pixel";
+}
+
 TEST(Evidence, AHoleOnTheWayOutwardMayBeTheThingItself) {
   Wall wall(160, 120);
   EXPECT_EQ(wall.said_of(60, 120), Evidence::Past);
