@@ -112,7 +112,7 @@ void bind_guard(py::module& module) {
           },
           py::arg("cause"), py::arg("reason") = "")
       .def("note_switch", &note_switch, py::arg("which"), py::arg("side"), py::arg("touched"), py::arg("now"),
-           py::arg("who") = "")
+           py::arg("who") = "driver")
       .def("ask_override", &ask_override, py::arg("seconds"), py::arg("speed"), py::arg("now"),
            py::arg("ros_now") = py::none(), py::arg("even_in_doubt") = false)
       .def(

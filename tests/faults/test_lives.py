@@ -85,11 +85,21 @@ def test_a_node_that_is_killed_is_started_again_by_roslaunch_and_begins_with_zer
         assert pid_of(NODE) != first
 
 
-def test_a_robot_whose_ros_master_dies_still_stops_and_drives():
+def succeeds(script, *arguments):
     result = subprocess.run(
-        [sys.executable, Path(__file__).with_name("lost_master.py")], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        [sys.executable, Path(__file__).with_name(script), *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
         text=True, timeout=120)
     assert result.returncode == 0, result.stdout
+
+
+def test_a_robot_whose_ros_master_dies_still_stops_and_drives():
+    succeeds("lost_master.py")
+
+
+@pytest.mark.parametrize("when", ("before", "after"))
+def test_a_guard_whose_ros_master_dies_still_notices_that_the_driver_of_its_bumper_does(when):
+    """And a new master is there before that, or after."""
+    succeeds("lost_master_of_a_guard.py", when)
 
 
 def pid_of(node):

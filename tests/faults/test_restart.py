@@ -13,12 +13,14 @@ import rospy
 from geometry_msgs.msg import Twist
 from guarded import guarded_robot, twist
 from lost_board import BOARD, FREE, PASSED, robot_that_lost_a_board
+from repeated import Repeated
 from robot import NODE, START, Heard, after, eventually, node_under_test, robot_with
 from scenes import hall, wall
 from std_msgs.msg import Bool
 from std_srvs.srv import Trigger
 
 from safety_control_cloud.msg import SafetyState
+from safety_control_cloud.processes import process
 
 NOTHING_TOLD = "the ROS master tells nothing of what was near before this start"
 NOT_PLACED = "the ROS master tells of something near or lost before this start that this node cannot place"
@@ -119,6 +121,23 @@ def test_what_touches_a_guard_that_is_killed_touches_the_next_one(master):
             bumper.publish(False)
             robot.passes(twist(0.2))
     bumper.unregister()
+
+
+def test_what_one_of_two_drivers_touched_is_not_released_by_the_other_after_a_restart(master):
+    rospy.set_param(NODE + "/switches", [{"name": "front", "type": "bumper", "topic": "bumper", "side": "front"}])
+    right = Repeated("/bumper", Bool, 10.0)
+    right.say(Bool(False))
+    with guarded_robot() as robot:
+        robot.driver.say(twist(0.2))
+        robot.passes(twist(0.2))
+        with process(["rostopic", "pub", "/bumper", "std_msgs/Bool", "true", "__name:=left"]):
+            robot.stands("BUMPER", within=10.0)
+            eventually(lambda: any(rospy.get_param(NODE + "_lost/things")))
+        with killed_and_started_again(robot, "_mode:=guard", "_memory_distance:=0.0"):
+            robot.gives(lambda state: state.cause_text == "BUMPER", within=10.0, lasts=3.0)
+            forget()
+            robot.passes(twist(0.2))
+    right.end()
 
 
 def test_what_a_camera_lost_that_bears_another_name_by_now_stops_the_robot_until_reset(master):

@@ -14,10 +14,10 @@ namespace safety_control_cloud {
 namespace {
 
 const std::vector<Ring> nothing_seen;
-const std::string nobody;  ///< who spoke to another process
-constexpr const char* version = "touched-1";
+constexpr const char* version = "touched-2";
 constexpr const char* end = "end";
-constexpr std::size_t most = 1000;  ///< edges
+constexpr std::size_t most = 1000;                                     ///< words
+constexpr double some_time = std::numeric_limits<double>::infinity();  ///< [s] nobody knows when
 
 Known said_by(const SwitchSettings& one) {
   Known known;
@@ -68,10 +68,12 @@ void ClosedEdges::note_living(std::size_t which, const std::vector<std::string>&
   const auto is_gone = [&](const std::string& one) { return std::find(who.begin(), who.end(), one) == who.end(); };
   for (auto& [edge, said] : state.edges) {
     for (auto& [one, word] : said.by)
-      if (word.touched && !word.left_at && word.since <= as_of && is_gone(one)) word.left_at = as_of;
+      if (word.touched && word.since <= as_of && is_gone(one))
+        word.left_at = std::min(word.left_at.value_or(some_time), as_of);
   }
   for (auto it = state.began_at.begin(); it != state.began_at.end();)
     it = it->second <= as_of && is_gone(it->first) ? state.began_at.erase(it) : std::next(it);
+  for (const std::string& one : who) state.began_at.try_emplace(one, as_of);
 }
 
 void ClosedEdges::reset() {
@@ -83,16 +85,18 @@ void ClosedEdges::reset() {
 }
 
 std::string ClosedEdges::remembered() const {
-  std::ostringstream edges;
+  std::ostringstream touched;
   std::size_t count = 0;
   for (const State& state : states_) {
     for (const auto& [edge, said] : state.edges) {
-      if (!said.is_touched()) continue;
-      edges << ' ' << state.settings.name << ' ' << name_of(edge);
-      ++count;
+      for (const auto& [who, word] : said.by) {
+        if (!word.touched) continue;
+        touched << ' ' << state.settings.name << ' ' << name_of(edge) << ' ' << who;
+        ++count;
+      }
     }
   }
-  return count == 0 ? std::string() : words(version, ' ', count, edges.str(), ' ', end);
+  return count == 0 ? std::string() : words(version, ' ', count, touched.str(), ' ', end);
 }
 
 bool ClosedEdges::recall(const std::string& remembered) {
@@ -106,7 +110,7 @@ bool ClosedEdges::recall(const std::string& remembered) {
     const auto state = std::find_if(states.begin(), states.end(), is_it);
     const auto edge = edge_named(reader.word());
     if (state == states.end() || !edge) return false;
-    state->edges[*edge].by[nobody] = {true, 0.0, -std::numeric_limits<double>::infinity()};
+    state->edges[*edge].by[reader.word()] = {true, 0.0, some_time};
   }
   if (!reader.good() || reader.word() != end) return false;
   states_ = std::move(states);

@@ -18,7 +18,8 @@ class ClosedEdges {
  public:
   explicit ClosedEdges(const Switches& switches) : states_(switches.begin(), switches.end()) {}
 
-  /// One who speaks for a switch, a node's name, says of an edge whether it is touched there, at `now` [s, steady].
+  /// One who speaks for a switch, a name without spaces, says of an edge whether it is touched there, at `now` [s,
+  /// steady].
   void note(std::size_t which, const std::string& who, Edge edge, bool touched, double now);
 
   /// Who alone could speak for one at `as_of` [s, steady]. What others said until then holds until they are back and
@@ -28,11 +29,12 @@ class ClosedEdges {
   /// What was said by who is no more is forgotten: somebody has looked.
   void reset();
 
-  /// Which edges are touched, for another process to go on with; empty if none is.
+  /// Which edges are touched, and by whose word, for another process to go on with; empty if none is.
   std::string remembered() const;
 
-  /// Goes on with that, as with what was said by who is no more: its driver may say nothing for as long as it is
-  /// touched. False, and nothing changes, if it is not legible or tells of a switch that is not there.
+  /// Goes on with that, as with what was said by who is no more: he may say nothing for as long as it is touched, or
+  /// have been released meanwhile. False, and nothing changes, if it is not legible or tells of a switch that is not
+  /// there.
   bool recall(const std::string& remembered);
 
   /// What speaks against a switch that its messages do not tell; none: nothing any more.
@@ -63,7 +65,7 @@ class ClosedEdges {
 
     SwitchSettings settings;
     std::map<Edge, Said> edges;
-    std::map<std::string, double> began_at;  ///< when who lives first spoke [s, steady]
+    std::map<std::string, double> began_at;  ///< when who lives first spoke, or was there to [s, steady]
     std::optional<double> spoke_at;          ///< [s, steady]
     std::optional<Doubt> outside;
   };

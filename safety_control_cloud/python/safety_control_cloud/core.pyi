@@ -335,8 +335,9 @@ class GuardControl:
         """The same of whom tells no twist, as TF."""
     def note_outside(self, cause: Optional[Cause], reason: str = "") -> None:
         """What is in doubt outside of the sensors: from the next answer on it stands for it, until there is none."""
-    def note_switch(self, which: str, side: str, touched: bool, now: float, who: str = "") -> None:
-        """The switch of this name says of a side of the robot whether it is touched there; `who` speaks for it."""
+    def note_switch(self, which: str, side: str, touched: bool, now: float, who: str = "driver") -> None:
+        """The switch of this name says of a side of the robot whether it is touched there; `who`, a node's name, speaks
+        for it."""
     def ask_override(
         self, seconds: float, speed: float, now: float, ros_now: Optional[float] = None, even_in_doubt: bool = False
     ) -> Tuple[bool, str]:

@@ -4,6 +4,8 @@
 #include <ros/master.h>
 #include <ros/this_node.h>
 
+#include <algorithm>
+#include <map>
 #include <utility>
 
 #include "../time/moments.hpp"
@@ -14,18 +16,36 @@ namespace {
 
 constexpr double period = 1.0;  ///< [s] after which they are asked again
 
-/// The nodes that publish on a topic by the master's books; none if it does not answer.
-std::optional<std::vector<std::string>> publishers_of(const std::string& topic) {
-  XmlRpc::XmlRpcValue request, response, state;
-  request[0] = ros::this_node::getName();
-  if (!ros::master::execute("getSystemState", request, response, state, false)) return std::nullopt;
-  std::vector<std::string> names;
-  XmlRpc::XmlRpcValue& published = state[0];
-  for (int i = 0; i < published.size(); ++i) {
-    if (static_cast<std::string>(published[i][0]) != topic) continue;
-    for (int j = 0; j < published[i][1].size(); ++j) names.push_back(published[i][1][j]);
+using Nodes = std::vector<std::string>;
+
+bool is_among(const Nodes& nodes, const std::string& name) {
+  return std::find(nodes.begin(), nodes.end(), name) != nodes.end();
+}
+
+/// Of whom getSystemState has in one of its lists for a topic.
+Nodes listed_for(const std::string& topic, XmlRpc::XmlRpcValue& list) {
+  Nodes nodes;
+  for (int i = 0; i < list.size(); ++i) {
+    if (static_cast<std::string>(list[i][0]) != topic) continue;
+    for (int j = 0; j < list[i][1].size(); ++j) nodes.push_back(list[i][1][j]);
   }
-  return names;
+  return nodes;
+}
+
+/// What the master's books say of a topic.
+struct Books {
+  Nodes publishers;
+  bool know_this_node;
+};
+
+/// None: it does not answer.
+std::optional<Books> books_on(const std::string& topic) {
+  XmlRpc::XmlRpcValue request, response, state;
+  const std::string self = ros::this_node::getName();
+  request[0] = self;
+  if (!ros::master::execute("getSystemState", request, response, state, false)) return std::nullopt;
+  const Nodes publishers = listed_for(topic, state[0]);
+  return Books{publishers, is_among(publishers, self) || is_among(listed_for(topic, state[1]), self)};
 }
 
 std::optional<std::string> address_of(const std::string& node) {
@@ -36,19 +56,25 @@ std::optional<std::string> address_of(const std::string& node) {
   return static_cast<std::string>(address);
 }
 
-std::optional<std::vector<std::string>> living_publishers_of(const std::string& topic, Connected::Self self) {
-  const auto all = publishers_of(topic);
-  if (!all) return std::nullopt;
-  std::vector<std::string> living;
-  for (const auto& name : *all) {
-    if (name == ros::this_node::getName()) {
-      if (self == Connected::Self::Counts) living.push_back(name);
-      continue;
-    }
-    const auto address = address_of(name);
-    if (!address || may_live(*address)) living.push_back(name);
+using Addresses = std::map<std::string, std::optional<std::string>>;  ///< by node; none: the master did not tell
+
+Addresses addresses_of(const Nodes& nodes, const Addresses& before) {
+  Addresses addresses;
+  for (const std::string& node : nodes) {
+    const auto known = before.find(node);
+    auto address = address_of(node);
+    addresses[node] = address || known == before.end() ? std::move(address) : known->second;
   }
-  return living;
+  return addresses;
+}
+
+Nodes living_of(const Addresses& addresses, Connected::Self self) {
+  Nodes nodes;
+  for (const auto& [node, address] : addresses) {
+    const bool is_self = node == ros::this_node::getName();
+    if (is_self ? self == Connected::Self::Counts : !address || may_live(*address)) nodes.push_back(node);
+  }
+  return nodes;
 }
 
 }  // namespace
@@ -77,11 +103,12 @@ std::optional<Connected::Living> Connected::living(std::size_t connected) {
     answer_.reset();
     asked_.notify_all();
   }
-  if (connected == 0) return Living{{}, now().steady};
+  if (connected == 0) return Living{{}, now().steady, true};
   return answer_;
 }
 
 void Connected::ask() {
+  std::optional<Addresses> known;
   std::unique_lock<std::mutex> lock(mutex_);
   while (!ending_) {
     if (connected_ == 0 || answer_) asked_.wait_for(lock, for_seconds(period));
@@ -89,9 +116,11 @@ void Connected::ask() {
     const std::size_t connected = connected_;
     lock.unlock();
     const double as_of = now().steady;
-    auto names = living_publishers_of(topic_, self_);
+    const auto books = books_on(topic_);
+    if (books && books->know_this_node) known = addresses_of(books->publishers, known.value_or(Addresses{}));
+    auto names = known ? std::optional(living_of(*known, self_)) : std::nullopt;
     lock.lock();
-    if (names && connected == connected_) answer_ = Living{std::move(*names), as_of};
+    if (names && connected == connected_) answer_ = Living{std::move(*names), as_of, books.has_value()};
     if (!names) asked_.wait_for(lock, for_seconds(period));
   }
 }

@@ -14,7 +14,8 @@ namespace safety_control_cloud {
 
 /// Gives those who are connected to a topic their names. roscpp knows at once how many there are, but not who they are,
 /// and goes on counting those that were killed: the master knows the names, and the one named knows whether it lives.
-/// Both may take any time to answer, so they are asked from a thread of its own.
+/// Both may take any time to answer, so they are asked from a thread of its own. Connections outlive the master: while
+/// there is none, or a new one that has not heard of this node, those it named last are asked alone.
 class Connected {
  public:
   /// Whether this process is one of them, of which another nodelet may publish.
@@ -25,7 +26,8 @@ class Connected {
 
   struct Living {
     std::vector<std::string> names;
-    double as_of;  ///< [s, steady]
+    double as_of;          ///< [s, steady]
+    bool is_master_there;  ///< or else a new subscription would wait for one
   };
 
   /// Who they are that live, if this many are connected now; none: nobody has told yet. Returns at once.

@@ -22,13 +22,13 @@ class SwitchInput {
  public:
   using OnLiving = std::function<void(const Connected::Living& living)>;
 
-  /// Each word that can be read is handed over, and who lives to say any.
+  /// Each word that can be read is handed over, and who lives to say any, once somebody does.
   SwitchInput(ros::NodeHandle& handle, const SwitchSettings& settings, OnSwitch on_switch, OnLiving on_living);
   SwitchInput(const SwitchInput&) = delete;
   SwitchInput& operator=(const SwitchInput&) = delete;
 
-  /// Looks who publishes it. Once all have left or died, it hears any type again: a subscription keeps to the type of
-  /// the first.
+  /// Looks who publishes it. Once all have left or died, it hears any type again, as soon as there is a master: a
+  /// subscription keeps to the type of the first.
   void note_publishers();
 
   /// Why what it said last is not to be believed: nobody publishes it, or its last message cannot be read.
@@ -45,7 +45,7 @@ class SwitchInput {
   ros::NodeHandle handle_;
   ros::Subscriber subscriber_;
   Connected publishers_;
-  bool is_published_ = false;
+  bool is_published_ = false, is_left_ = false;
 };
 
 }  // namespace safety_control_cloud

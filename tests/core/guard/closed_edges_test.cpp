@@ -271,6 +271,23 @@ TEST(ClosedEdges, ATouchOutlivesTheProcess) {
   EXPECT_EQ(other.goes_on(2.0, forward).factor, 1.0) << other.wants(forward).reason;
 }
 
+/// Who did not touch it, and speaks for it all the time, was there before too.
+TEST(ClosedEdges, AnotherWhoSpeaksForItDoesNotReleaseATouchThatOutlivedTheProcess) {
+  for (const bool is_gone : {false, true}) {
+    Robot robot, next;
+    robot.says(kobuki, Edge::FrontLeft, true, "left");
+    ASSERT_TRUE(next.control.recall(robot.control.remembered()));
+    if (is_gone) next.live(kobuki, {"right"});
+    next.says(kobuki, Edge::FrontLeft, false, "right");
+    EXPECT_EQ(next.goes_on(2.0, forward).cause, Cause::Bumper);
+    if (is_gone) next.live(kobuki, {"right"});
+    next.says(kobuki, Edge::FrontLeft, false, "right");
+    EXPECT_EQ(next.goes_on(2.0, forward).cause, Cause::Bumper);
+    next.says(kobuki, Edge::FrontLeft, false, is_gone ? "its successor" : "left");
+    EXPECT_EQ(next.goes_on(2.0, forward).factor, 1.0) << next.wants(forward).reason;
+  }
+}
+
 TEST(ClosedEdges, ATouchOfASwitchThatIsNotThereByNowClosesAllUntilReset) {
   Robot robot;
   robot.says(kobuki, Edge::FrontLeft, true);
@@ -286,11 +303,12 @@ TEST(ClosedEdges, ATouchOfASwitchThatIsNotThereByNowClosesAllUntilReset) {
 TEST(ClosedEdges, WhatIsNotLegibleTouchesNothing) {
   ClosedEdges edges(with_switches().switches);
   for (const char* text :
-       {"", "touched-1", "touched-1 1 bumper", "touched-1 1 bumper front", "touched-1 1 bumper top end",
-        "touched-1 2 bumper front end", "touched-1 1 other front end", "touched-2 1 bumper front end"})
+       {"", "touched-2", "touched-2 1 bumper", "touched-2 1 bumper front", "touched-2 1 bumper front driver",
+        "touched-2 1 bumper top driver end", "touched-2 2 bumper front driver end",
+        "touched-2 1 other front driver end", "touched-1 1 bumper front end"})
     EXPECT_FALSE(edges.recall(text)) << text;
   EXPECT_TRUE(edges.known_at(100.0, 0.5).empty());
-  EXPECT_TRUE(edges.recall("touched-1 1 bumper front end"));
+  EXPECT_TRUE(edges.recall("touched-2 1 bumper front driver end"));
   EXPECT_EQ(edges.known_at(100.0, 0.5).size(), std::size_t{1});
 }
 
