@@ -64,3 +64,13 @@ def test_a_guard_that_would_hear_itself_does_not_start(master):
             assert node.wait(10.0) != 0
             assert "cmd_vel_in and cmd_vel are both /" in node.output()
     rospy.delete_param(NODE)  # the next one is another robot
+
+
+def test_a_guard_two_of_whose_sensors_have_one_topic_does_not_start_however_that_is_spelt(master):
+    sensors = [{"name": "front", "type": "cloud", "topic": "front/points"}, {"name": "rear", "type": "cloud", "topic": "rear/points"}]
+    for other, remapping in (("/front/points", ()), ("rear/points", ("rear/points:=front/points",))):
+        rospy.set_param(NODE + "/sensors", [sensors[0], {**sensors[1], "topic": other}])
+        with node_under_test("_mode:=guard", *remapping) as node:
+            assert node.wait(10.0) != 0
+            assert "front and rear have the same topic, /front/points" in node.output()
+        rospy.delete_param(NODE)
