@@ -2,13 +2,13 @@
 #include "closed_edges.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <sstream>
 #include <utility>
 
 #include "../text/reader.hpp"
 #include "../text/words.hpp"
+#include "drop_from.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -49,18 +49,14 @@ void ClosedEdges::note(std::size_t which, const std::string& who, Edge edge, boo
   State& state = states_[which];
   state.spoke_at = now;
   const double began_at = state.began_at.try_emplace(who, now).first->second;
-  const auto follows = [&](const std::string& one, const Word& word) {
+  auto& said = state.edges[edge].by;
+  const auto is_succeeded = [&](const auto& entry) {
+    const auto& [one, word] = entry;
     return word.left_at && (one == who || began_at > *word.left_at);
   };
-  auto& said = state.edges[edge].by;
+  const bool succeeds_any = drop_from(said, is_succeeded) > 0;
   const auto own = said.find(who);
-  bool changes = own == said.end() ? touched : own->second.touched != touched;
-  for (auto it = said.begin(); it != said.end();) {
-    const bool is_succeeded = follows(it->first, it->second);
-    changes = changes || is_succeeded;
-    it = is_succeeded ? said.erase(it) : std::next(it);
-  }
-  if (changes) said[who] = {touched, now, std::nullopt};
+  if (succeeds_any || touched != (own != said.end() && own->second.touched)) said[who] = {touched, now, std::nullopt};
 }
 
 void ClosedEdges::note_living(std::size_t which, const std::vector<std::string>& who, double as_of) {
@@ -71,16 +67,14 @@ void ClosedEdges::note_living(std::size_t which, const std::vector<std::string>&
       if (word.touched && word.since <= as_of && is_gone(one))
         word.left_at = std::min(word.left_at.value_or(some_time), as_of);
   }
-  for (auto it = state.began_at.begin(); it != state.began_at.end();)
-    it = it->second <= as_of && is_gone(it->first) ? state.began_at.erase(it) : std::next(it);
+  drop_from(state.began_at, [&](const auto& entry) { return entry.second <= as_of && is_gone(entry.first); });
   for (const std::string& one : who) state.began_at.try_emplace(one, as_of);
 }
 
 void ClosedEdges::reset() {
   for (State& state : states_) {
-    for (auto& [edge, said] : state.edges) {
-      for (auto it = said.by.begin(); it != said.by.end();) it = it->second.left_at ? said.by.erase(it) : std::next(it);
-    }
+    for (auto& [edge, said] : state.edges)
+      drop_from(said.by, [](const auto& entry) { return entry.second.left_at.has_value(); });
   }
 }
 

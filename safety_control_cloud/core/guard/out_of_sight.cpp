@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cell_key.hpp"
+#include "drop_from.hpp"
 #include "extents.hpp"
 #include "forgetting.hpp"
 #include "seen_at.hpp"
@@ -26,11 +27,6 @@ constexpr std::uint64_t elsewhere = std::uint64_t{1} << 63U;
 
 std::uint64_t key_of(const Point2& place, double height) { return key_of_cell(place, cell, height, layer); }
 
-template <class Goes>
-void drop_from(std::unordered_map<std::uint64_t, RememberedPlace>& places, Goes goes) {
-  for (auto it = places.begin(); it != places.end();) it = goes(it->second) ? places.erase(it) : std::next(it);
-}
-
 }  // namespace
 
 /// Beside what has the same cell.
@@ -43,7 +39,7 @@ void OutOfSight::put(const Place& place, Places& places) {
 
 void OutOfSight::limit(OutOfSightLimits limits) {
   limits_ = std::move(limits);
-  drop_from(places_, [this](const Place& place) { return !limits_.vicinity.holds(place.z); });
+  drop_from(places_, [this](const auto& entry) { return !limits_.vicinity.holds(entry.second.z); });
 }
 
 void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& robot, double now, double came_after,
@@ -62,7 +58,7 @@ void OutOfSight::note(std::size_t sensor, const Look& look, const Whereabouts& r
   for (const NearReturn& seen : all)
     keep(seen, now, by_look.at(seen.range), extents ? extents->around(seen) : Heights{seen.height, seen.height});
   Forgetting forgetting(look, seen_at, looks_, robot, by_look, now, limits_.time);
-  drop_from(places_, [&](Place& place) { return forgetting.has_gone(place); });
+  drop_from(places_, [&](auto& entry) { return forgetting.has_gone(entry.second); });
 }
 
 /// A turn moves a place by as much as it was away just then.
@@ -78,7 +74,7 @@ void OutOfSight::note_unplaced(std::size_t sensor, double now) {
 
 void OutOfSight::drop_what_is_over(double now) {
   looks_.forget_before(now - limits_.time);
-  drop_from(places_, [&](const Place& place) { return !shown_by(place, now); });
+  drop_from(places_, [&](const auto& entry) { return !shown_by(entry.second, now); });
 }
 
 /// For all that one look may show: of too many, the farthest are forgotten.
@@ -89,7 +85,7 @@ void OutOfSight::make_room(const Point2& robot) {
   for (const auto& [key, place] : places_) ranges.push_back(range(place));
   const auto last = ranges.begin() + static_cast<std::ptrdiff_t>(kept_share * static_cast<double>(ranges.size()));
   std::nth_element(ranges.begin(), last, ranges.end());
-  drop_from(places_, [&](const Place& place) { return range(place) > *last; });
+  drop_from(places_, [&](const auto& entry) { return range(entry.second) > *last; });
 }
 
 /// The latest look that showed it; none: its time is over.
