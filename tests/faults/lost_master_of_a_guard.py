@@ -13,19 +13,14 @@ import xmlrpc.client
 from contextlib import ExitStack
 
 import rospy
-from guarded import guarded_robot, twist
+from guarded import FRONT_BUMPER, driver_of_the_bumper, guarded_robot, twist
 from masters import master_again
 from robot import NODE
 
-from safety_control_cloud.processes import process
 from safety_control_cloud.ros_session import roscore
 
 AHEAD = twist(0.3)
 ASKED = 2.5  # [s] by which the guard has asked the master who the driver is, and where
-
-
-def driver_of_the_bumper():
-    return process(["rostopic", "pub", "/bumper", "std_msgs/Bool", "false", "__name:=bumper_driver"])
 
 
 def is_driven_on(robot):
@@ -39,7 +34,7 @@ def stands_once_it_is_killed(robot, driver):
 
 with roscore() as uri, ExitStack() as until_the_end:
     rospy.init_node("lost_master", disable_signals=True, disable_rosout=True)
-    rospy.set_param(NODE + "/switches", [{"name": "front", "type": "bumper", "topic": "bumper", "side": "front"}])
+    rospy.set_param(NODE + "/switches", [FRONT_BUMPER])
     with driver_of_the_bumper() as driver, guarded_robot() as robot:
         robot.driver.say(AHEAD)
         is_driven_on(robot)

@@ -6,19 +6,17 @@ import time
 import pytest
 import rospy
 from genpy.dynamic import generate_dynamic
-from guarded import ZERO, bits, guarded_robot, twist
+from guarded import FRONT_BUMPER, ZERO, bits, driver_of_the_bumper, guarded_robot, twist
 from robot import GRACE, after, eventually
 from std_msgs.msg import Bool, Int8
 from std_srvs.srv import Trigger
-
-from safety_control_cloud.processes import process
 
 NODE = "/safety_control_cloud"
 PARAMETERS = NODE + "/"
 # As kobuki_msgs has it, which Debian has not.
 BUMPER_EVENT = generate_dynamic("kobuki_msgs/BumperEvent", "uint8 bumper\nuint8 state\n")["kobuki_msgs/BumperEvent"]
 SWITCHES = [
-    {"name": "front", "type": "bumper", "topic": "bumper", "side": "front"},
+    FRONT_BUMPER,
     {"name": "edge", "type": "cliff", "topic": "cliff", "side": "rear", "timeout": 0.5},
     {"name": "kobuki", "type": "bumper", "topic": "mobile_base/events/bumper"},
 ]
@@ -142,20 +140,15 @@ def test_one_that_nobody_publishes_stops_the_robot_and_is_named(robot):
     robot.passes(AHEAD)
 
 
-def driver_that_says(kind, said):
-    """A switch's driver, in a process of its own."""
-    return process(["rostopic", "pub", "/bumper", f"std_msgs/{kind}", said, "__name:=bumper_driver"])
-
-
 def test_one_whose_driver_was_killed_stops_the_robot_and_its_successor_is_heard_whatever_type_it_has(robot):
     robot.front.end()
-    with driver_that_says("Bool", "false") as driver:
+    with driver_of_the_bumper() as driver:
         robot.passes(AHEAD, within=10.0)
         time.sleep(2.5)  # the master is asked once a second who it is
         robot.passes(AHEAD)
         driver.send(signal.SIGKILL)
         assert robot.stands("SILENT", within=5.0).sensor == "front"
-    with driver_that_says("Int8", "0"):
+    with driver_of_the_bumper("0", "Int8"):
         assert "std_msgs/Int8" in robot.gives(lambda state: state.cause_text == "UNREADABLE", within=10.0).reason
     robot.front = Switch("/bumper", Bool)
     robot.passes(AHEAD)
@@ -163,7 +156,7 @@ def test_one_whose_driver_was_killed_stops_the_robot_and_its_successor_is_heard_
 
 def test_what_a_driver_touched_that_was_killed_holds_beside_another_until_reset(robot):
     drives(robot)
-    with driver_that_says("Bool", "true") as driver:
+    with driver_of_the_bumper("true") as driver:
         robot.stands("BUMPER", within=10.0)
         robot.front.say(False)
         robot.gives(lambda state: state.cause_text == "BUMPER" and bits(state.given) == ZERO, lasts=2 * RELEASE)

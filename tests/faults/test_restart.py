@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 import rospy
 from geometry_msgs.msg import Twist
-from guarded import guarded_robot, twist
+from guarded import FRONT_BUMPER, driver_of_the_bumper, guarded_robot, twist
 from lost_board import BOARD, FREE, PASSED, robot_that_lost_a_board
 from repeated import Repeated
 from robot import NODE, START, Heard, after, eventually, node_under_test, robot_with
@@ -20,7 +20,6 @@ from std_msgs.msg import Bool
 from std_srvs.srv import Trigger
 
 from safety_control_cloud.msg import SafetyState
-from safety_control_cloud.processes import process
 
 NOTHING_TOLD = "the ROS master tells nothing of what was near before this start"
 NOT_PLACED = "the ROS master tells of something near or lost before this start that this node cannot place"
@@ -105,7 +104,7 @@ def test_what_a_guard_lost_is_lost_for_a_node_in_mode_drive_and_for_the_next_gua
 
 
 def test_what_touches_a_guard_that_is_killed_touches_the_next_one(master):
-    rospy.set_param(NODE + "/switches", [{"name": "front", "type": "bumper", "topic": "bumper", "side": "front"}])
+    rospy.set_param(NODE + "/switches", [FRONT_BUMPER])
     bumper = rospy.Publisher("/bumper", Bool, queue_size=1)
     with guarded_robot() as robot:
         robot.driver.say(twist(0.2))
@@ -124,13 +123,13 @@ def test_what_touches_a_guard_that_is_killed_touches_the_next_one(master):
 
 
 def test_what_one_of_two_drivers_touched_is_not_released_by_the_other_after_a_restart(master):
-    rospy.set_param(NODE + "/switches", [{"name": "front", "type": "bumper", "topic": "bumper", "side": "front"}])
+    rospy.set_param(NODE + "/switches", [FRONT_BUMPER])
     right = Repeated("/bumper", Bool, 10.0)
     right.say(Bool(False))
     with guarded_robot() as robot:
         robot.driver.say(twist(0.2))
         robot.passes(twist(0.2))
-        with process(["rostopic", "pub", "/bumper", "std_msgs/Bool", "true", "__name:=left"]):
+        with driver_of_the_bumper("true", name="left"):
             robot.stands("BUMPER", within=10.0)
             eventually(lambda: any(rospy.get_param(NODE + "_lost/things")))
         with killed_and_started_again(robot, "_mode:=guard", "_memory_distance:=0.0"):

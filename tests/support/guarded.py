@@ -20,8 +20,9 @@ from std_msgs.msg import Header
 from tf2_msgs.msg import TFMessage
 
 from safety_control_cloud.msg import Blocked, SafetyState
-from safety_control_cloud.processes import Process
+from safety_control_cloud.processes import Process, process
 
+FRONT_BUMPER = {"name": "front", "type": "bumper", "topic": "bumper", "side": "front"}  # of the parameter switches
 CAMERA_TO_FRONT = 0.265  # [m] by which a TurtleBot's round hull sticks out before its camera
 SETTLED = 3.0  # [s]
 IN_PASSING = 0.05  # [s] by which ~state may come later than the command that it tells of
@@ -129,6 +130,11 @@ class Guarded:
             asked = time.monotonic() - since
             assert self.process.exit_code is None, self.process.output()
         raise AssertionError(f"not within {within} s; the last was\n{self.states.all()[-1:]}")
+
+
+def driver_of_the_bumper(said: str = "false", kind: str = "Bool", name: str = "bumper_driver") -> ContextManager[Process]:
+    """Of FRONT_BUMPER, in a process of its own: it says this once, and lives on."""
+    return process(["rostopic", "pub", "/bumper", f"std_msgs/{kind}", said, f"__name:={name}"])
 
 
 def camera_on(base: str, camera: str) -> TransformStamped:
