@@ -134,6 +134,11 @@ def test_what_one_of_two_drivers_touched_is_not_released_by_the_other_after_a_re
             eventually(lambda: any(rospy.get_param(NODE + "_lost/things")))
         with killed_and_started_again(robot, "_mode:=guard", "_memory_distance:=0.0"):
             robot.gives(lambda state: state.cause_text == "BUMPER", within=10.0, lasts=3.0)
+            right.end()
+            time.sleep(1.0)
+            right = Repeated("/bumper", Bool, 10.0)
+            right.say(Bool(False))
+            robot.gives(lambda state: state.cause_text == "BUMPER", within=10.0, lasts=3.0)
             forget()
             robot.passes(twist(0.2))
     right.end()

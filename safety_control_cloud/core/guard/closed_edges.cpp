@@ -14,7 +14,7 @@ namespace safety_control_cloud {
 namespace {
 
 const std::vector<Ring> nothing_seen;
-constexpr const char* version = "touched-2";
+constexpr const char* version = "touched-3";
 constexpr const char* end = "end";
 constexpr std::size_t most = 1000;                                     ///< words
 constexpr double some_time = std::numeric_limits<double>::infinity();  ///< [s] nobody knows when
@@ -45,6 +45,10 @@ bool ClosedEdges::Said::is_released_since(double moment) const {
                      [&](const auto& one) { return !one.second.touched && one.second.since <= moment; });
 }
 
+bool ClosedEdges::State::is_touched() const {
+  return std::any_of(edges.begin(), edges.end(), [](const auto& one) { return one.second.is_touched(); });
+}
+
 void ClosedEdges::note(std::size_t which, const std::string& who, Edge edge, bool touched, double now) {
   State& state = states_[which];
   state.spoke_at = now;
@@ -67,8 +71,12 @@ void ClosedEdges::note_living(std::size_t which, const std::vector<std::string>&
       if (word.touched && word.since <= as_of && is_gone(one))
         word.left_at = std::min(word.left_at.value_or(some_time), as_of);
   }
-  drop_from(state.began_at, [&](const auto& entry) { return entry.second <= as_of && is_gone(entry.first); });
-  for (const std::string& one : who) state.began_at.try_emplace(one, as_of);
+  if (!state.is_touched())
+    drop_from(state.began_at, [&](const auto& entry) { return entry.second <= as_of && is_gone(entry.first); });
+  for (const std::string& one : who) {
+    double& began_at = state.began_at.try_emplace(one, as_of).first->second;
+    began_at = std::min(began_at, as_of);
+  }
 }
 
 void ClosedEdges::reset() {
@@ -79,32 +87,45 @@ void ClosedEdges::reset() {
 }
 
 std::string ClosedEdges::remembered() const {
-  std::ostringstream touched;
-  std::size_t count = 0;
+  std::ostringstream touched, known;
+  std::size_t touches = 0, names = 0;
   for (const State& state : states_) {
+    if (!state.is_touched()) continue;
     for (const auto& [edge, said] : state.edges) {
       for (const auto& [who, word] : said.by) {
         if (!word.touched) continue;
         touched << ' ' << state.settings.name << ' ' << name_of(edge) << ' ' << who;
-        ++count;
+        ++touches;
       }
     }
+    for (const auto& [who, began_at] : state.began_at) {
+      known << ' ' << state.settings.name << ' ' << who;
+      ++names;
+    }
   }
-  return count == 0 ? std::string() : words(version, ' ', count, touched.str(), ' ', end);
+  if (touches == 0) return {};
+  return words(version, ' ', touches, touched.str(), ' ', names, known.str(), ' ', end);
 }
 
 bool ClosedEdges::recall(const std::string& remembered) {
   Reader reader(remembered);
   if (reader.word() != version) return false;
   auto states = states_;
-  const std::size_t count = reader.count(most);
-  for (std::size_t i = 0; i < count && reader.good(); ++i) {
-    const std::string name = reader.word();
-    const auto is_it = [&](const State& state) { return state.settings.name == name; };
-    const auto state = std::find_if(states.begin(), states.end(), is_it);
+  const auto state_named = [&](const std::string& name) {
+    return std::find_if(states.begin(), states.end(), [&](const State& one) { return one.settings.name == name; });
+  };
+  const std::size_t touches = reader.count(most);
+  for (std::size_t i = 0; i < touches && reader.good(); ++i) {
+    const auto state = state_named(reader.word());
     const auto edge = edge_named(reader.word());
     if (state == states.end() || !edge) return false;
     state->edges[*edge].by[reader.word()] = {true, 0.0, some_time};
+  }
+  const std::size_t names = reader.count(most);
+  for (std::size_t i = 0; i < names && reader.good(); ++i) {
+    const auto state = state_named(reader.word());
+    if (state == states.end()) return false;
+    state->began_at[reader.word()] = 0.0;
   }
   if (!reader.good() || reader.word() != end) return false;
   states_ = std::move(states);

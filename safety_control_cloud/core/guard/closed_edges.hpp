@@ -23,13 +23,14 @@ class ClosedEdges {
   void note(std::size_t which, const std::string& who, Edge edge, bool touched, double now);
 
   /// Who alone could speak for one at `as_of` [s, steady]. What others said until then holds until they are back and
-  /// say otherwise, or one does who began to speak since, or reset().
+  /// say otherwise, or one does who was never there before, or reset().
   void note_living(std::size_t which, const std::vector<std::string>& who, double as_of);
 
   /// What was said by who is no more is forgotten: somebody has looked.
   void reset();
 
-  /// Which edges are touched, and by whose word, for another process to go on with; empty if none is.
+  /// Which edges are touched, and by whose word, and who else was there, for another process to go on with; empty if
+  /// none is.
   std::string remembered() const;
 
   /// Goes on with that, as with what was said by who is no more: he may say nothing for as long as it is touched, or
@@ -65,9 +66,11 @@ class ClosedEdges {
 
     SwitchSettings settings;
     std::map<Edge, Said> edges;
-    std::map<std::string, double> began_at;  ///< when who lives first spoke, or was there to [s, steady]
+    std::map<std::string, double> began_at;  ///< since when who is known, for as long as an edge is touched [s, steady]
     std::optional<double> spoke_at;          ///< [s, steady]
     std::optional<Doubt> outside;
+
+    bool is_touched() const;
   };
 
   std::vector<State> states_;

@@ -92,18 +92,23 @@ Connected::~Connected() {
 }
 
 std::vector<std::string> Connected::names(std::size_t connected) {
+  if (connected == 0) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    connected_.reset();
+    answer_.reset();
+    return {};
+  }
   const auto known = living(connected);
   return known ? known->names : std::vector<std::string>{"somebody whose name the ROS master has yet to tell"};
 }
 
 std::optional<Connected::Living> Connected::living(std::size_t connected) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (connected != connected_) {
+  if (connected_ != connected) {
     connected_ = connected;
     answer_.reset();
     asked_.notify_all();
   }
-  if (connected == 0) return Living{{}, now().steady, true};
   return answer_;
 }
 
@@ -111,9 +116,9 @@ void Connected::ask() {
   std::optional<Addresses> known;
   std::unique_lock<std::mutex> lock(mutex_);
   while (!ending_) {
-    if (connected_ == 0 || answer_) asked_.wait_for(lock, for_seconds(period));
-    if (ending_ || connected_ == 0) continue;
-    const std::size_t connected = connected_;
+    if (!connected_ || answer_) asked_.wait_for(lock, for_seconds(period));
+    if (ending_ || !connected_) continue;
+    const auto connected = connected_;
     lock.unlock();
     const double as_of = now().steady;
     const auto books = books_on(topic_);

@@ -30,7 +30,8 @@ class Connected {
     bool is_master_there;  ///< or else a new subscription would wait for one
   };
 
-  /// Who they are that live, if this many are connected now; none: nobody has told yet. Returns at once.
+  /// Who they are that live, if this many are connected now, those too that have yet to connect; none: nobody has told
+  /// yet. Returns at once.
   std::optional<Living> living(std::size_t connected);
 
   /// The same in words, also of those whose names are not known.
@@ -43,8 +44,8 @@ class Connected {
   const Self self_;
   std::mutex mutex_;
   SteadyCondition asked_;
-  std::size_t connected_ = 0;
-  std::optional<Living> answer_;  ///< to the present number of them
+  std::optional<std::size_t> connected_;  ///< none: nobody has asked
+  std::optional<Living> answer_;          ///< to the present number of them
   bool ending_ = false;
   std::thread thread_;
 };

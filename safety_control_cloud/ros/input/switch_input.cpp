@@ -56,14 +56,15 @@ void SwitchInput::subscribe() {
 
 void SwitchInput::note_publishers() {
   const bool was_published = is_published_;
-  const auto living = publishers_.living(subscriber_.getNumPublishers());
-  is_published_ = !living || !living->names.empty();
-  if (living && (is_published_ || was_published)) on_living_(*living);
+  const std::size_t connected = subscriber_.getNumPublishers();
+  const auto living = publishers_.living(connected);
+  is_published_ = connected > 0 && (!living || !living->names.empty());
+  if (living) on_living_(*living);
   if (was_published && !is_published_) {
     unreadable_.reset();
     is_left_ = true;
   }
-  if (is_published_ || !is_left_ || !living->is_master_there) return;
+  if (is_published_ || !is_left_ || !living || !living->is_master_there) return;
   is_left_ = false;
   subscribe();
 }

@@ -22,7 +22,7 @@ class SwitchInput {
  public:
   using OnLiving = std::function<void(const Connected::Living& living)>;
 
-  /// Each word that can be read is handed over, and who lives to say any, once somebody does.
+  /// Each word that can be read is handed over, and who lives to say any.
   SwitchInput(ros::NodeHandle& handle, const SwitchSettings& settings, OnSwitch on_switch, OnLiving on_living);
   SwitchInput(const SwitchInput&) = delete;
   SwitchInput& operator=(const SwitchInput&) = delete;

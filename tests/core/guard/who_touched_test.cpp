@@ -118,6 +118,39 @@ TEST(WhoTouched, AnotherWhoSpeaksForItDoesNotReleaseATouchThatOutlivedTheProcess
   }
 }
 
+/// They are asked for at the start, and speak before the answer is there.
+TEST(WhoTouched, WhoSpeaksBeforeItIsFoundToHaveBeenThereDoesNotRelease) {
+  Robot robot, next;
+  robot.says(kobuki, Edge::FrontLeft, true, "left");
+  ASSERT_TRUE(next.control.recall(robot.control.remembered()));
+  const double asked = next.now.steady;
+  next.goes_on(0.1, forward);
+  next.says(kobuki, Edge::FrontLeft, false, "right");
+  next.control.note_switch_living(kobuki, {"right"}, asked);
+  next.says(kobuki, Edge::FrontLeft, false, "right");
+  EXPECT_EQ(next.goes_on(2.0, forward).cause, Cause::Bumper);
+}
+
+/// All drivers are started anew, or cut off for a while; the one that touched something is not back yet, or says
+/// nothing as long as nothing changes.
+TEST(WhoTouched, WhoWasThereBesideItAndIsBackDoesNotRelease) {
+  for (const bool is_another_process : {false, true}) {
+    Robot robot, next;
+    robot.says(kobuki, Edge::FrontLeft, true, "left");
+    robot.says(kobuki, Edge::FrontLeft, false, "right");
+    ASSERT_TRUE(next.control.recall(robot.control.remembered()));
+    Robot& then = is_another_process ? next : robot;
+    then.live(kobuki, {});
+    then.says(kobuki, Edge::FrontLeft, false, "right");
+    EXPECT_EQ(then.goes_on(2.0, forward).cause, Cause::Bumper);
+    then.live(kobuki, {"left", "right"});
+    then.says(kobuki, Edge::FrontLeft, false, "right");
+    EXPECT_EQ(then.goes_on(2.0, forward).cause, Cause::Bumper);
+    then.says(kobuki, Edge::FrontLeft, false, "left");
+    EXPECT_EQ(then.goes_on(2.0, forward).factor, 1.0) << then.wants(forward).reason;
+  }
+}
+
 TEST(WhoTouched, ATouchOfASwitchThatIsNotThereByNowClosesAllUntilReset) {
   Robot robot;
   robot.says(kobuki, Edge::FrontLeft, true);
@@ -132,13 +165,14 @@ TEST(WhoTouched, ATouchOfASwitchThatIsNotThereByNowClosesAllUntilReset) {
 
 TEST(WhoTouched, WhatIsNotLegibleTouchesNothing) {
   ClosedEdges edges(with_switches().switches);
-  for (const char* text :
-       {"", "touched-2", "touched-2 1 bumper", "touched-2 1 bumper front", "touched-2 1 bumper front driver",
-        "touched-2 1 bumper top driver end", "touched-2 2 bumper front driver end",
-        "touched-2 1 other front driver end", "touched-1 1 bumper front end"})
+  for (const char* text : {"", "touched-3", "touched-3 1 bumper", "touched-3 1 bumper front",
+                           "touched-3 1 bumper front driver", "touched-3 1 bumper front driver 0",
+                           "touched-3 1 bumper top driver 0 end", "touched-3 2 bumper front driver 0 end",
+                           "touched-3 1 other front driver 0 end", "touched-3 1 bumper front driver end",
+                           "touched-3 1 bumper front driver 1 other driver end", "touched-2 1 bumper front driver end"})
     EXPECT_FALSE(edges.recall(text)) << text;
   EXPECT_TRUE(edges.known_at(100.0, 0.5).empty());
-  EXPECT_TRUE(edges.recall("touched-2 1 bumper front driver end"));
+  EXPECT_TRUE(edges.recall("touched-3 1 bumper front driver 1 bumper driver end"));
   EXPECT_EQ(edges.known_at(100.0, 0.5).size(), std::size_t{1});
 }
 
