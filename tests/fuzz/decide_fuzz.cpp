@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "../../safety_control_cloud/core/look/ray_lines.hpp"
 #include "inputs.hpp"
 #include "promises.hpp"
 #include "scenario.hpp"
@@ -82,7 +83,7 @@ class World {
     const std::vector<float> points = points_of(picture);
     const CloudView cloud = cloud_of(points, picture);
     const bool says_too_close = std::any_of(picture.z.begin(), picture.z.end(), is_minus_inf);
-    note_size(picture);
+    note_rays(picture, cloud);
     const bool must_stand = shown_.stands_for(picture);
     const Decision decision = see(cloud, says_too_close ? Reading(cloud) : Reading(image_of(picture)), step);
     require(!must_stand || decision.speed == 0.0, "what was near and was not seen to go is not forgotten");
@@ -102,7 +103,8 @@ class World {
     const Decision decision = one_pass_.decide(cloud, origin, now_, crop);
     require_same(decision, pcl_.decide(cloud, origin, now_, crop));
     const Decision by_depth = by_depth_.decide(depth, origin, now_, crop);
-    are_alike_ = are_alike_ && is_of_one_size_ && is_lost(decision) == is_lost(by_depth);
+    are_alike_ = are_alike_ && is_of_one_size_ && is_lost(decision) == is_lost(by_depth) &&
+                 (tell_their_rays_ || !is_lost(decision) || decision.reason == by_depth.reason);
     if (are_alike_) require_same(decision, by_depth);
     require_safe(by_depth, by_depth_.settings());
     require_safe(decision, one_pass_.settings());
@@ -110,8 +112,11 @@ class World {
   }
 
   /// Where in a picture lies what is remembered, of another size or after it was blind, a depth image tells at once,
-  /// and a cloud only by enough returns: one may stand for what the other still sees, or has seen to go.
-  void note_size(const Depths& picture) {
+  /// and a cloud only by enough returns: one may stand for what the other still sees, or has seen to go, or for one
+  /// thing more.
+  void note_rays(const Depths& picture, const CloudView& cloud) {
+    const RayLines rays = ray_lines_of(cloud);
+    tell_their_rays_ = tell_their_rays_ && rays.across && rays.down;
     const bool is_first = width_ == 0 && height_ == 0;
     is_of_one_size_ = is_of_one_size_ && (is_first || (picture.width == width_ && picture.height == height_));
     width_ = picture.width, height_ = picture.height;
@@ -124,6 +129,7 @@ class World {
   SafetyControl one_pass_, pcl_, by_depth_;
   std::size_t width_ = 0, height_ = 0;  ///< of the latest picture
   bool is_of_one_size_ = true;          ///< all that have been seen
+  bool tell_their_rays_ = true;         ///< the clouds, all that have been seen
   bool are_alike_ = true;               ///< the cloud and the depth image, all that have been seen
   Shown shown_;
   Instant now_{100.0, 1000.0};
