@@ -47,9 +47,15 @@ bool ColumnBelow::is_hidden() const {
          below_row(rows).blank * stray_share >= rows * (stray_share - 1);
 }
 
-/// Above the ground, only some of the columns have been read.
+/// How far ahead of the camera what returns there is [m]; NaN: nothing does. Of some rows,
+/// not all columns have been read.
+float ColumnBelow::ahead_in(std::size_t i) const {
+  if (ground_.is_whole(i)) return ground_.ahead(i)[column_];
+  return shown_.ahead(shown_.placed_at(ground_.picture_row(i), ground_.picture_column(column_)));
+}
+
 ColumnBelow::Seen ColumnBelow::seen_in(std::size_t i) const {
-  if (ground_.shows_ground(i)) return {ground_.row(i)[column_], ground_.ahead(i)[column_]};
+  if (ground_.is_whole(i)) return {ground_.row(i)[column_], ground_.ahead(i)[column_]};
   const Point place = shown_.placed_at(ground_.picture_row(i), ground_.picture_column(column_));
   const float ahead = shown_.ahead(place);
   if (!returned(place)) return {NearGround::nothing, ahead};
@@ -79,8 +85,8 @@ ColumnBelow::Below ColumnBelow::below_row(std::size_t lowest) const {
 std::size_t ColumnBelow::lowest_from(std::size_t lowest) const {
   std::size_t others = 0;
   for (std::size_t i = lowest; i-- > 0 && lowest - i <= most_blank_ + 1 && others < no_strays;) {
-    const Seen seen = seen_in(i);
-    const bool same = is_of_thing(seen), is_other = !same & (seen.code != NearGround::nothing);
+    const float ahead = ahead_in(i);
+    const bool same = may_be_of(foot_, ahead), is_other = !same & !std::isnan(ahead);
     others = (others + 1) * is_other;
     lowest = same ? i : lowest;
   }
@@ -95,7 +101,7 @@ std::optional<std::size_t> ColumnBelow::surface_below(std::size_t lowest) const 
     const Code code = ground_.row(i)[column_];
     adjacent = code == NearGround::elsewhere || code == NearGround::near ? adjacent + 1 : 0;
     if (adjacent < no_strays) continue;
-    const float ahead = seen_in(i).ahead, before = seen_in(i - 1).ahead;
+    const float ahead = ahead_in(i), before = ahead_in(i - 1);
     if (std::abs(ahead - before) <= agreement * std::min(ahead, before)) return i;
   }
   return std::nullopt;

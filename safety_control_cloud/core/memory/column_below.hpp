@@ -60,6 +60,7 @@ class ColumnBelow {
   static bool is_near(const Seen& seen) { return seen.code == NearGround::near; }
   bool is_of_thing(const Seen& seen) const { return may_be_of(foot_, seen.ahead); }
   bool is_farther(const Seen& seen) const { return !(seen.ahead <= foot_.ahead + noise_at(foot_.ahead)); }
+  float ahead_in(std::size_t i) const;
   Seen seen_in(std::size_t i) const;
   Below below_row(std::size_t lowest) const;
   std::size_t lowest_from(std::size_t lowest) const;

@@ -33,6 +33,7 @@ bool NearGround::read_row(const Pixels& picture, const Outlook& outlook, float d
   const int highest = lines::find_ground(read_.pixels(), {outlook.corridor, outlook.camera(), distance}, read,
                                          ahead_.data() + number * columns_);
   if (!all) spread(read, columns_, row(number));
+  whole_[number] = all;
   shows_[number] = highest >= lines::LeastGround;
   return shows_[number];
 }
@@ -49,6 +50,7 @@ void NearGround::look_at(const Pixels& picture, const Outlook& outlook, float di
   codes_.resize(all * columns_);
   ahead_.resize(all * columns_);
   shows_.assign(all, false);
+  whole_.assign(all, false);
   bool begun = false;
   std::size_t gap = 0;
   for (rows_ = 0; rows_ < all && gap < longest_gap; ++rows_) {

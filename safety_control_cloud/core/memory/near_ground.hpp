@@ -37,9 +37,11 @@ class NearGround {
   std::size_t columns() const { return columns_; }
   Code* row(std::size_t i) { return codes_.data() + i * columns_; }
   const Code* row(std::size_t i) const { return codes_.data() + i * columns_; }
-  /// Whether any of a row's columns may show near ground. Then all of them were read.
+  /// Whether any of a row's columns may show near ground. Then it is whole.
   bool shows_ground(std::size_t i) const { return shows_[i]; }
-  /// Of a row that shows ground, how far ahead each column's return is, whatever it is [m]; NaN where there is none.
+  /// Whether all of a row's columns were read.
+  bool is_whole(std::size_t i) const { return whole_[i]; }
+  /// Of such a row, how far ahead each column's return is, whatever it is [m]; NaN where there is none.
   const float* ahead(std::size_t i) const { return ahead_.data() + i * columns_; }
   std::size_t row_step() const { return row_step_; }  ///< of the picture, from one that is read to the next
   float distance() const { return distance_; }        ///< [m] ahead of the camera; what is nearer is near
@@ -70,7 +72,7 @@ class NearGround {
   std::vector<Code> codes_read_;
   std::vector<Code> codes_;
   std::vector<float> ahead_;
-  std::vector<char> shows_;  ///< of each row
+  std::vector<char> shows_, whole_;  ///< of each row
   std::vector<char> near_;
   std::size_t rows_ = 0, columns_ = 0, height_ = 0, row_step_ = 1, column_step_ = 1;
   double middle_column_ = 0.0;
