@@ -40,6 +40,7 @@ void GuardMemory::adopt(const Settings& settings) {
 void GuardMemory::forget() {
   out_of_sight_.forget();
   recalled_.reset();
+  broke_off_.reset();
   jumped_.reset();
   told_since_.reset();
   strayed_.reset();
@@ -49,11 +50,16 @@ void GuardMemory::forget() {
 /// As of the latest look that somebody knows the place of.
 std::string GuardMemory::remembered() const {
   if (recalled_) return to_text(*recalled_);
-  if (!by_odometry_ || !latest_) return {};
+  if (const auto placed = placed_by_odometry()) return to_text(*placed);
+  return broke_off_ ? to_text(*broke_off_) : std::string();
+}
+
+std::optional<KeptPlaces> GuardMemory::placed_by_odometry() const {
+  if (!by_odometry_ || !latest_) return std::nullopt;
   const Whereabouts& robot = latest_->robot;
   const Whereabouts there{robot.pose, {}, robot.drift, robot.unexplained};
-  return to_text(
-      {latest_->stamp, robot.pose, out_of_sight_.placed(there, latest_->at), written_names(limits_.sensors)});
+  return KeptPlaces{latest_->stamp, robot.pose, out_of_sight_.placed(there, latest_->at),
+                    written_names(limits_.sensors)};
 }
 
 bool GuardMemory::recall(const std::string& remembered) {
@@ -92,6 +98,7 @@ bool GuardMemory::note_breaks(const Went& went, const Instant& now) {
 
 /// Until odometry speaks again, in whichever frame that is then.
 void GuardMemory::go_on_as_told(const Instant& now) {
+  if (auto placed = placed_by_odometry()) broke_off_ = std::move(placed);
   if (latest_) {
     out_of_sight_.go_on_in_frame(latest_->robot, latest_->as_told, now.steady);
   } else {
@@ -125,6 +132,7 @@ std::optional<Pose2> GuardMemory::note(std::size_t sensor, const Look& look, con
       place_recalled(look.stamp, *robot, went, now);
     const auto as_told = went.given.whereabouts_at(now.steady - came_after);
     latest_ = Latest{look.stamp, now.steady, *robot, as_told};
+    if (by_odometry_) broke_off_.reset();
     out_of_sight_.note(sensor, look, *robot, now.steady, came_after, way_during(look, went, now));
   } else {
     out_of_sight_.note_unplaced(sensor, now.steady);
@@ -223,7 +231,8 @@ std::optional<Doubt> GuardMemory::doubt_at(const Instant& now, const Went& went,
 
 std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, const std::vector<GuardSensor>& sensors,
                                          const std::vector<bool>& shows, const Guard& guard) {
-  if (recalled_ && (are_over(recalled_->stamp, now.ros, limits_.places.time) || !remembers())) recalled_.reset();
+  for (auto* kept : {&recalled_, &broke_off_})
+    if (*kept && (are_over((*kept)->stamp, now.ros, limits_.places.time) || !remembers())) kept->reset();
   Known known;
   known.sensor = "memory";
   known.doubt = doubt_at(now, went, sensors);

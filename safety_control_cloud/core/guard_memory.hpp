@@ -37,7 +37,7 @@ class GuardMemory {
   /// Nothing is remembered, and nothing speaks against that.
   void forget();
 
-  /// What is placed by odometry, for another process to go on with; empty if nothing is.
+  /// What is placed by odometry, or was until that broke off, for another process to go on with; empty if nothing is.
   std::string remembered() const;
 
   /// Goes on with that once odometry does from where it was; false, and nothing changes, if it is not legible. Until
@@ -92,6 +92,7 @@ class GuardMemory {
   static Drift foretold_at(double stamp, const Went& went, const Instant& now);
   Pose2 way_during(const Look& look, const Went& went, const Instant& now) const;
   std::optional<Whereabouts> whereabouts_at(double age, const Went& went, const Instant& now) const;
+  std::optional<KeptPlaces> placed_by_odometry() const;
   bool waits_for(const std::vector<GuardSensor>& sensors, const Instant& now) const;
   bool has_strayed(const Instant& now) const;
   std::vector<Known> placed_by_odometry(const Known& like, const Around& around, const std::vector<bool>& shows);
@@ -111,14 +112,15 @@ class GuardMemory {
   Limits limits_;
   OutOfSight out_of_sight_;
   OdometryCheck check_;
-  std::list<std::vector<Ring>> rings_;  ///< as they were asked for last: of all sensors, or of each
-  bool by_odometry_ = false;            ///< it is known where that is; or else by what the base was told
-  std::size_t breaks_ = 0;              ///< of the odometry, after which that began
-  std::optional<KeptPlaces> recalled_;  ///< of another process, and not placed yet
-  std::optional<Latest> latest_;        ///< look that was placed
-  std::optional<double> told_since_;    ///< [s, steady] odometry broke off, and has not spoken since
-  std::optional<double> strayed_;       ///< [s, steady] it went on by itself until then, as far as nobody knows
-  std::optional<double> jumped_;        ///< [s, ROS] since then odometry goes on, and not every sensor has looked
+  std::list<std::vector<Ring>> rings_;   ///< as they were asked for last: of all sensors, or of each
+  bool by_odometry_ = false;             ///< it is known where that is; or else by what the base was told
+  std::size_t breaks_ = 0;               ///< of the odometry, after which that began
+  std::optional<KeptPlaces> recalled_;   ///< of another process, and not placed yet
+  std::optional<KeptPlaces> broke_off_;  ///< as odometry had them placed that has not placed any since
+  std::optional<Latest> latest_;         ///< look that was placed
+  std::optional<double> told_since_;     ///< [s, steady] odometry broke off, and has not spoken since
+  std::optional<double> strayed_;        ///< [s, steady] it went on by itself until then, as far as nobody knows
+  std::optional<double> jumped_;         ///< [s, ROS] since then odometry goes on, and not every sensor has looked
 };
 
 }  // namespace safety_control_cloud

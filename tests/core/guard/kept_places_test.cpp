@@ -102,11 +102,17 @@ struct Restarted {
   RobotWithOdometry robot, next;
   std::vector<std::string> remembered;
 
-  explicit Restarted(double seconds = 3.0, const Pose2& start = {}, int full_turns = 0) {
+  explicit Restarted(double seconds = 3.0, const Pose2& start = {}, int full_turns = 0, double spoke_again_for = 0.0) {
     robot.pose = start;
     robot.passes(0.5, with_post);
     robot.turns(quarter + 4.0 * quarter * full_turns, robot.hall);
     robot.passes(0.5, robot.hall);
+    if (spoke_again_for > 0.0) {
+      robot.has_odometry = false;
+      robot.passes(0.4, robot.hall);
+      robot.has_odometry = true;
+      robot.passes(spoke_again_for, robot.hall);
+    }
     remembered = robot.control.remembered();
     next.now = robot.now;
     next.now.steady += 5000.0;  // another computer's, or another boot
@@ -132,6 +138,30 @@ TEST(KeptPlaces, WhatHadLeftThePictureBeforeARestartStaysWhereItWas) {
     EXPECT_NEAR(answer.point->x, 0.0, 0.14);
     EXPECT_EQ(to_the_left.asked({0.0, 0.5, 0.0}).factor, 1.0) << "nothing is there";
     EXPECT_EQ(Restarted().next.asked(right).factor, 1.0) << "of whom nothing is recalled";
+  }
+}
+
+/// Killed a moment after odometry paused, before that has placed anything again.
+TEST(KeptPlaces, WhereTheyWereAsOdometryBrokeOffIsToldUntilItPlacesThemAgain) {
+  for (const double spoke_again_for : {0.05, 0.1, 0.2, 0.5, 2.0}) {
+    Restarted restarted(1.0, {}, 0, spoke_again_for);
+    const Guarded& answer = restarted.asked(right);
+    EXPECT_LT(answer.factor, 0.95) << spoke_again_for << ": " << answer.reason;
+    EXPECT_EQ(answer.sensor, "memory");
+    ASSERT_TRUE(answer.point);
+    EXPECT_NEAR(answer.point->y, -0.9 + 0.087, 0.15);
+    EXPECT_NEAR(answer.point->x, 0.0, 0.2);
+  }
+}
+
+TEST(KeptPlaces, WhatWasToldAsOdometryBrokeOffIsOverWithItsTimeOrReset) {
+  for (const bool is_reset : {false, true}) {
+    Restarted restarted(1.0, {}, 0, 0.05);
+    RobotWithOdometry& robot = restarted.robot;
+    EXPECT_NE(robot.control.remembered().back(), "");
+    robot.has_odometry = false;
+    is_reset ? robot.control.forget_losses() : robot.passes(31.0, robot.hall);
+    EXPECT_EQ(robot.control.remembered().back(), "");
   }
 }
 
