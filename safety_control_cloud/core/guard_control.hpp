@@ -71,10 +71,11 @@ class GuardControl {
     perception_.sensor(sensor).note_outside(std::move(doubt));
   }
 
-  /// Of one of the settings' switches: what one who speaks for it says of an edge; who alone could at `as_of` [s,
+  /// Of one of the settings' switches: what one who speaks for it says of an edge, and whether it is
+  /// new; who alone could at `as_of` [s,
   /// steady]; what speaks against it.
-  void note_switch(std::size_t which, const std::string& who, Edge edge, bool touched, const Instant& now) {
-    perception_.switches().note(which, who, edge, touched, now.steady);
+  bool note_switch(std::size_t which, const std::string& who, Edge edge, bool touched, const Instant& now) {
+    return perception_.switches().note(which, who, edge, touched, now.steady);
   }
   void note_switch_living(std::size_t which, const std::vector<std::string>& who, double as_of) {
     perception_.switches().note_living(which, who, as_of);

@@ -127,7 +127,7 @@ void GuardNode::see(std::size_t sensor, const Arrival& arrival, const Instant& c
 void GuardNode::on_switch(std::size_t which, const std::string& who, Edge edge, bool touched) {
   const Instant came = now();
   beat(came);
-  control_.note_switch(which, who, edge, touched, came);
+  if (!control_.note_switch(which, who, edge, touched, came)) return;
   const Guarded& decided = answer();
   if (changes(decided)) publish(decided);
 }

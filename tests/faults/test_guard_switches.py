@@ -11,6 +11,8 @@ from robot import GRACE, after, eventually
 from std_msgs.msg import Bool, Int8
 from std_srvs.srv import Trigger
 
+from safety_control_cloud.processes import process
+
 NODE = "/safety_control_cloud"
 PARAMETERS = NODE + "/"
 # As kobuki_msgs has it, which Debian has not.
@@ -60,6 +62,10 @@ def robot(master):
 def drives(robot):
     robot.driver.say(AHEAD)
     robot.passes(AHEAD)
+
+
+def publishers_of(topic):
+    return next((nodes for name, nodes in rospy.get_master().getSystemState()[2][0] if name == topic), [])
 
 
 def stands_without(robot, name):
@@ -166,3 +172,19 @@ def test_what_a_driver_touched_that_was_killed_holds_beside_another_until_reset(
     robot.gives(lambda state: state.cause_text == "BUMPER" and bits(state.given) == ZERO, lasts=2 * RELEASE)
     assert rospy.ServiceProxy(NODE + "/reset", Trigger)().success
     robot.passes(AHEAD)
+
+
+def test_a_touch_while_the_node_is_stopped_is_not_lost_behind_the_words_of_another(robot):
+    drives(robot)
+    robot.front.say(False)
+    with process(["rostopic", "pub", "-r", "100", "/bumper", "std_msgs/Bool", "false", "__name:=steady"]):
+        eventually(lambda: len(publishers_of("/bumper")) == 2)
+        time.sleep(1.0)
+        robot.passes(AHEAD)
+        robot.process.send(signal.SIGSTOP)
+        robot.front.say(True)
+        time.sleep(3.0)
+        robot.process.send(signal.SIGCONT)
+        robot.stands("BUMPER", within=10.0)
+        robot.front.say(False)
+        robot.passes(AHEAD)

@@ -49,8 +49,9 @@ bool ClosedEdges::State::is_touched() const {
   return std::any_of(edges.begin(), edges.end(), [](const auto& one) { return one.second.is_touched(); });
 }
 
-void ClosedEdges::note(std::size_t which, const std::string& who, Edge edge, bool touched, double now) {
+bool ClosedEdges::note(std::size_t which, const std::string& who, Edge edge, bool touched, double now) {
   State& state = states_[which];
+  const bool is_first = !state.spoke_at;
   state.spoke_at = now;
   const double began_at = state.began_at.try_emplace(who, now).first->second;
   auto& said = state.edges[edge].by;
@@ -60,7 +61,9 @@ void ClosedEdges::note(std::size_t which, const std::string& who, Edge edge, boo
   };
   const bool succeeds_any = drop_from(said, is_succeeded) > 0;
   const auto own = said.find(who);
-  if (succeeds_any || touched != (own != said.end() && own->second.touched)) said[who] = {touched, now, std::nullopt};
+  const bool changes = succeeds_any || touched != (own != said.end() && own->second.touched);
+  if (changes) said[who] = {touched, now, std::nullopt};
+  return is_first || changes;
 }
 
 void ClosedEdges::note_living(std::size_t which, const std::vector<std::string>& who, double as_of) {

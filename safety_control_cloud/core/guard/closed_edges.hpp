@@ -19,8 +19,8 @@ class ClosedEdges {
   explicit ClosedEdges(const Switches& switches) : states_(switches.begin(), switches.end()) {}
 
   /// One who speaks for a switch, a name without spaces, says of an edge whether it is touched there, at `now` [s,
-  /// steady].
-  void note(std::size_t which, const std::string& who, Edge edge, bool touched, double now);
+  /// steady]. Whether it says so for the first time.
+  bool note(std::size_t which, const std::string& who, Edge edge, bool touched, double now);
 
   /// Who alone could speak for one at `as_of` [s, steady]. What others said until then holds until they are back and
   /// say otherwise, or one does who was never there before, or reset().

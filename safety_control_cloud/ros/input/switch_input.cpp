@@ -17,7 +17,9 @@ namespace {
 
 using Event = ros::MessageEvent<const topic_tools::ShapeShifter>;
 
-constexpr std::uint32_t unread = 100;  ///< a word that tells of a change must not be lost behind later ones
+/// A word that tells of a change must not be lost behind later ones, of whoever says the same fifty times a second to a
+/// node that is stopped for half an hour.
+constexpr std::uint32_t unread = 100000;
 
 std::vector<std::uint8_t> bytes_of(const topic_tools::ShapeShifter& message) {
   std::vector<std::uint8_t> bytes(message.size());
