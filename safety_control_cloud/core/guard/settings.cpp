@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "settings.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "../text/choice.hpp"
@@ -19,8 +20,9 @@ void check_footprint(const GuardSettings& guard, Problems& problems) {
   }
   const Footprint footprint = footprint_of(guard);
   for (const std::string& problem : problems_in(footprint)) problems.require(false, "footprint: " + problem);
-  for (const Point2& corner : footprint.polygon)
-    problems.require(length_of(corner) <= farthest_corner, "footprint: no corner may be farther than 3 m");
+  const auto is_near = [](const Point2& corner) { return length_of(corner) <= farthest_corner; };
+  problems.require(std::all_of(footprint.polygon.begin(), footprint.polygon.end(), is_near),
+                   "footprint: no corner may be farther than 3 m");
 }
 
 void check_boxes(const GuardSettings& guard, Problems& problems) {

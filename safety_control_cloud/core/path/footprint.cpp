@@ -9,8 +9,7 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr double nearest_corners = 1e-4;   // [m]
-constexpr std::size_t most_corners = 100;  // every point is asked against each of them
+constexpr double nearest_corners = 1e-4;  // [m]
 
 /// 1 for the first, as people count.
 std::string corner(std::size_t index) { return "corner " + std::to_string(index + 1); }

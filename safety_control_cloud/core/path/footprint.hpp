@@ -10,6 +10,7 @@ namespace safety_control_cloud {
 
 constexpr double farthest_corner = 100.0;  ///< [m]: no robot reaches so far; millimetres would
 constexpr double most_margin = 100.0;      ///< [m]
+constexpr std::size_t most_corners = 100;  ///< every point is asked against each of them
 
 /// What the robot covers of the floor, and how much more must stay clear around it.
 struct Footprint {

@@ -24,7 +24,8 @@ geometry_msgs::PolygonStamped polygon_of(const std::vector<std::pair<float, floa
 }
 
 TEST(FootprintMessage, KeepsItsCorners) {
-  const auto lists = lists_in(footprint_in(polygon_of({{0.3f, 0.2f}, {-1e-7f, 0.25f}, {0.0f, -0.1f}}), "base_footprint"), 2);
+  const auto lists =
+      lists_in(footprint_in(polygon_of({{0.3f, 0.2f}, {-1e-7f, 0.25f}, {0.0f, -0.1f}}), "base_footprint"), 2);
   ASSERT_TRUE(lists);
   ASSERT_EQ(lists->size(), 3u);
   EXPECT_EQ(static_cast<float>((*lists)[0][0]), 0.3f);
@@ -36,6 +37,8 @@ TEST(FootprintMessage, IsRefusedWhereItIsNoPolygonInBaseFrame) {
   EXPECT_THROW(footprint_in(square, "base_link"), std::invalid_argument);
   EXPECT_THROW(footprint_in(polygon_of({}), "base_footprint"), std::invalid_argument);
   EXPECT_THROW(footprint_in(polygon_of({{1, 1}, {-1, 1}}), "base_footprint"), std::invalid_argument);
+  EXPECT_THROW(footprint_in(polygon_of(std::vector<std::pair<float, float>>(101, {1, 1})), "base_footprint"),
+               std::invalid_argument);
   for (const float bad : {odd, infinite, -infinite}) {
     EXPECT_THROW(footprint_in(polygon_of({{1, 1}, {-1, bad}, {-1, -1}}), "base_footprint"), std::invalid_argument);
     EXPECT_THROW(footprint_in(polygon_of({{bad, 1}, {-1, 1}, {-1, -1}}), "base_footprint"), std::invalid_argument);
