@@ -6,7 +6,7 @@ import time
 import pytest
 from commanders import ITS_END, NOTICED, commander, first, is_doubted, is_of, mean_speed
 from diagnostic_msgs.msg import DiagnosticArray
-from robot import AGAIN, GRACE, NODE, Heard, after, eventually, node_under_test
+from robot import AGAIN, GRACE, NODE, Heard, after, eventually, node, node_under_test
 
 from safety_control_cloud.msg import SafetyState
 
@@ -70,3 +70,23 @@ def test_the_other_inputs_of_the_mux_are_no_doubt(robot):
         navigation.until(lambda command: True)
         robot.keeps(0.2, seconds=1.0)
     navigation.close()
+
+
+def test_the_mux_passes_nothing_that_waited_while_it_was_stopped(robot):
+    """Whoever said it may be dead by then."""
+    output = Heard("/mobile_base/commands/velocity", type(robot.commands.all()[0]))
+    with node("cmd_vel_mux", "__name:=cmd_vel_mux") as mux:
+        with commander(0.5, 20.0, "/cmd_vel_mux/input/safety_controller", name="controller") as other:
+            output.until(lambda command: command.linear.x == 0.5)
+            mux.send(signal.SIGSTOP)
+            time.sleep(1.0)
+            other.send(signal.SIGKILL)
+            other.wait(5.0)
+        time.sleep(2.0)
+        since = time.monotonic()
+        mux.send(signal.SIGCONT)
+        time.sleep(2.0)
+        assert {command.linear.x for _, command in after(since, output)} <= {0.0, 0.2}
+        with commander(0.5, 20.0, "/cmd_vel_mux/input/safety_controller", name="controller"):
+            output.until(lambda command: command.linear.x == 0.5, after=len(output.all()))
+    output.close()

@@ -24,6 +24,9 @@ class CmdVelMux:
     def __init__(self, table: Table) -> None:
         self._mux = Mux(table.inputs)
         self._lock = Lock()  # rospy calls back from one thread for each publisher
+        self._timeouts = {one.name: one.timeout for one in table.inputs}
+        self._beat = time.monotonic()
+        self._deaf_until = dict.fromkeys(self._timeouts, self._beat)
         self._announced: str | None = None
         self._active = rospy.Publisher("~active", String, queue_size=10, latch=True)
         self._output = rospy.Publisher(_resolved(table.publisher), Twist, queue_size=10, tcp_nodelay=True)
@@ -35,15 +38,25 @@ class CmdVelMux:
     def run(self, life: Life) -> None:
         while life.goes_on():
             with self._lock:
+                self._note_beat()
                 self._announce(rospy.get_time())
             time.sleep(_LOOK_EVERY)  # real time: a simulated clock may stand still
 
     def _on_twist(self, twist: Twist, name: str) -> None:
         now = rospy.get_time()
         with self._lock:
-            if self._mux.passes(name, now):
+            self._note_beat()
+            if self._beat >= self._deaf_until[name] and self._mux.passes(name, now):
                 self._output.publish(twist)
             self._announce(now)
+
+    def _note_beat(self) -> None:
+        """What comes after this process was stopped may have waited in its socket, and who said it be dead by then."""
+        now = time.monotonic()
+        stopped_for, self._beat = now - self._beat, now
+        for name, timeout in self._timeouts.items():
+            if stopped_for > timeout:
+                self._deaf_until[name] = now + timeout
 
     def _announce(self, now: float) -> None:
         holder = self._mux.holder(now)
