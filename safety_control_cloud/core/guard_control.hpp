@@ -71,9 +71,8 @@ class GuardControl {
     perception_.sensor(sensor).note_outside(std::move(doubt));
   }
 
-  /// Of one of the settings' switches: what one who speaks for it says of an edge, and whether it is
-  /// new; who alone could at `as_of` [s,
-  /// steady]; what speaks against it.
+  /// Of one of the settings' switches: what one who speaks for it says of an edge, and whether that is new; who alone
+  /// could at `as_of` [s, steady]; what speaks against it.
   bool note_switch(std::size_t which, const std::string& who, Edge edge, bool touched, const Instant& now) {
     return perception_.switches().note(which, who, edge, touched, now.steady);
   }

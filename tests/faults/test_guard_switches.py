@@ -5,9 +5,10 @@ import time
 
 import pytest
 import rospy
+from commanders import is_of
 from genpy.dynamic import generate_dynamic
 from guarded import FRONT_BUMPER, ZERO, bits, driver_of_the_bumper, guarded_robot, twist
-from robot import GRACE, after, eventually
+from robot import GRACE, Heard, after, eventually
 from std_msgs.msg import Bool, Int8
 from std_srvs.srv import Trigger
 
@@ -62,10 +63,6 @@ def robot(master):
 def drives(robot):
     robot.driver.say(AHEAD)
     robot.passes(AHEAD)
-
-
-def publishers_of(topic):
-    return next((nodes for name, nodes in rospy.get_master().getSystemState()[2][0] if name == topic), [])
 
 
 def stands_without(robot, name):
@@ -177,8 +174,9 @@ def test_what_a_driver_touched_that_was_killed_holds_beside_another_until_reset(
 def test_a_touch_while_the_node_is_stopped_is_not_lost_behind_the_words_of_another(robot):
     drives(robot)
     robot.front.say(False)
+    said = Heard("/bumper", Bool)
     with process(["rostopic", "pub", "-r", "100", "/bumper", "std_msgs/Bool", "false", "__name:=steady"]):
-        eventually(lambda: len(publishers_of("/bumper")) == 2)
+        said.until(is_of("/steady"))
         time.sleep(1.0)
         robot.passes(AHEAD)
         robot.process.send(signal.SIGSTOP)
@@ -188,3 +186,4 @@ def test_a_touch_while_the_node_is_stopped_is_not_lost_behind_the_words_of_anoth
         robot.stands("BUMPER", within=10.0)
         robot.front.say(False)
         robot.passes(AHEAD)
+    said.close()

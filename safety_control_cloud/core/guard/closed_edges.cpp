@@ -16,7 +16,7 @@ namespace {
 const std::vector<Ring> nothing_seen;
 constexpr const char* version = "touched-3";
 constexpr const char* end = "end";
-constexpr std::size_t most = 1000;                                     ///< words
+constexpr std::size_t most = 10000;                                    ///< words, names
 constexpr double some_time = std::numeric_limits<double>::infinity();  ///< [s] nobody knows when
 
 Known said_by(const SwitchSettings& one) {
@@ -70,9 +70,12 @@ void ClosedEdges::note_living(std::size_t which, const std::vector<std::string>&
   State& state = states_[which];
   const auto is_gone = [&](const std::string& one) { return std::find(who.begin(), who.end(), one) == who.end(); };
   for (auto& [edge, said] : state.edges) {
-    for (auto& [one, word] : said.by)
+    for (auto& [one, word] : said.by) {
       if (word.touched && word.since <= as_of && is_gone(one))
         word.left_at = std::min(word.left_at.value_or(some_time), as_of);
+      else if (word.left_at && !is_gone(one))
+        word.left_at = some_time;  // it is back, and has not said anything yet
+    }
   }
   if (!state.is_touched())
     drop_from(state.began_at, [&](const auto& entry) { return entry.second <= as_of && is_gone(entry.first); });

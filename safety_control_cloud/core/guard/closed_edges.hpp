@@ -19,11 +19,11 @@ class ClosedEdges {
   explicit ClosedEdges(const Switches& switches) : states_(switches.begin(), switches.end()) {}
 
   /// One who speaks for a switch, a name without spaces, says of an edge whether it is touched there, at `now` [s,
-  /// steady]. Whether it says so for the first time.
+  /// steady]. Whether that is new, or the first word of the switch.
   bool note(std::size_t which, const std::string& who, Edge edge, bool touched, double now);
 
   /// Who alone could speak for one at `as_of` [s, steady]. What others said until then holds until they are back and
-  /// say otherwise, or one does who was never there before, or reset().
+  /// say otherwise, or one does who was not there since the touch, or reset().
   void note_living(std::size_t which, const std::vector<std::string>& who, double as_of);
 
   /// What was said by who is no more is forgotten: somebody has looked.
@@ -66,8 +66,9 @@ class ClosedEdges {
 
     SwitchSettings settings;
     std::map<Edge, Said> edges;
-    std::map<std::string, double> began_at;  ///< since when who is known, for as long as an edge is touched [s, steady]
-    std::optional<double> spoke_at;          ///< [s, steady]
+    std::map<std::string, double>
+        began_at;                    ///< since when who lives, or did while an edge is touched, is known [s, steady]
+    std::optional<double> spoke_at;  ///< [s, steady]
     std::optional<Doubt> outside;
 
     bool is_touched() const;

@@ -47,8 +47,8 @@ bool ColumnBelow::is_hidden() const {
          below_row(rows).blank * stray_share >= rows * (stray_share - 1);
 }
 
-/// How far ahead of the camera what returns there is [m]; NaN: nothing does. Of some rows,
-/// not all columns have been read.
+/// How far ahead of the camera what returns there is [m]; NaN: nothing does. Of some rows, not all columns have been
+/// read.
 float ColumnBelow::ahead_in(std::size_t i) const {
   if (ground_.is_whole(i)) return ground_.ahead(i)[column_];
   return shown_.ahead(shown_.placed_at(ground_.picture_row(i), ground_.picture_column(column_)));

@@ -17,7 +17,8 @@ Lists footprint_in(const geometry_msgs::PolygonStamped& polygon, const std::stri
   if (frame != base_frame) throw std::invalid_argument("it is in frame '" + frame + "', not in " + base_frame);
   const auto& points = polygon.polygon.points;
   if (points.size() < 3) throw std::invalid_argument("the polygon must have at least 3 corners");
-  if (points.size() > most_corners) throw std::invalid_argument("the polygon must have at most 100 corners");
+  if (points.size() > most_corners)
+    throw std::invalid_argument("the polygon must have at most " + std::to_string(most_corners) + " corners");
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << std::setprecision(std::numeric_limits<float>::max_digits10);

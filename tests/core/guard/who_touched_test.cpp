@@ -151,6 +151,18 @@ TEST(WhoTouched, WhoWasThereBesideItAndIsBackDoesNotRelease) {
   }
 }
 
+/// As a Kobuki's does, which says nothing as long as its bumper stays pressed.
+TEST(WhoTouched, WhoseDriverIsBackAndHasNotSpokenIsReleasedByNobodyElse) {
+  Robot robot;
+  robot.says(kobuki, Edge::Front, true, "left");
+  robot.live(kobuki, {});
+  robot.live(kobuki, {"left"});
+  robot.says(kobuki, Edge::Front, false, "next");
+  EXPECT_EQ(robot.goes_on(2.0, forward).cause, Cause::Bumper);
+  robot.says(kobuki, Edge::Front, false, "left");
+  EXPECT_EQ(robot.goes_on(2.0, forward).factor, 1.0) << robot.wants(forward).reason;
+}
+
 TEST(WhoTouched, ATouchOfASwitchThatIsNotThereByNowClosesAllUntilReset) {
   Robot robot;
   robot.says(kobuki, Edge::FrontLeft, true);

@@ -13,6 +13,7 @@ from ..simulation.mux import Mux, Table
 from .life import Life
 
 _LOOK_EVERY = 0.02  # [s] for a holder that has fallen silent
+_STOPPED = 0.1  # [s] without a look, at least, of a process that was stopped
 
 
 def _resolved(topic: str) -> str:
@@ -46,7 +47,7 @@ class CmdVelMux:
         now = rospy.get_time()
         with self._lock:
             self._note_beat()
-            if self._beat >= self._deaf_until[name] and self._mux.passes(name, now):
+            if self._mux.passes(name, now) and self._beat >= self._deaf_until[name]:  # it holds the mux in any case
                 self._output.publish(twist)
             self._announce(now)
 
@@ -55,7 +56,7 @@ class CmdVelMux:
         now = time.monotonic()
         stopped_for, self._beat = now - self._beat, now
         for name, timeout in self._timeouts.items():
-            if stopped_for > timeout:
+            if stopped_for > max(timeout, _STOPPED):
                 self._deaf_until[name] = now + timeout
 
     def _announce(self, now: float) -> None:
