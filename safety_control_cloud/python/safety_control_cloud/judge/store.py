@@ -42,15 +42,16 @@ class Store:
         return self.rows / f"{Key(bag, settings, version())}.parquet"
 
     def keep(self, judged: Judged) -> None:
+        """First what the bag is: of one that is known by its rows alone, nobody knows that after an interrupt."""
+        if judged.bag and judged.stat and self._known.get(judged.path) != (judged.stat, judged.bag):
+            self._known[judged.path] = (judged.stat, judged.bag)
+            with self._hashes.open("a") as stream:
+                stream.write(json.dumps([judged.path, judged.stat, judged.bag]) + "\n")
         for row, content in zip(judged.rows, judged.files):
             assert row.bag
             whole = self.file_of(row.bag, row.settings)
             with _whole_or_not_at_all(whole, self.bags.parent) as part:
                 part.write_bytes(content)
-        if judged.bag and judged.stat and self._known.get(judged.path) != (judged.stat, judged.bag):
-            self._known[judged.path] = (judged.stat, judged.bag)
-            with self._hashes.open("a") as stream:
-                stream.write(json.dumps([judged.path, judged.stat, judged.bag]) + "\n")
 
     def rows_of(self, judged: Judged) -> List[AnyBag]:
         """One for each setting, judged now or before."""
