@@ -70,7 +70,8 @@ class World {
         return control_.note_pose(now_.ros - step.stamp_age / 1000.0, pose_of(step));
       case GuardEvent::Switch: {
         touched_ = step.numbers[0] % 2 == 1;
-        return control_.note_switch(0, "driver", Edge::Front, touched_, now_);
+        control_.note_switch(0, "driver", Edge::Front, touched_, now_);
+        return;
       }
       case GuardEvent::Outside: {
         outside_ = step.numbers[0] % 2 == 1;
