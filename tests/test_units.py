@@ -13,6 +13,7 @@ TESTED_AS = {
     "guard/caps": "guard/zone_caps_test, horizon_test and masked_lasers_test: each of the caps",
     "guard/settings": "guard/guard_settings_test",
     "guard/directions": "guard_control_test and guarded_drives_test: what is open for a robot that is stuck",
+    "guard_memory_known": "guard_memory_test: another part of the same class",
     "guard/given_under_way": "guard/given_test and slowing_test: another part of the same class",
     "guard/out_of_sight_around": "guard/out_of_sight_test: another part of the same class",
     "guard/silhouette": "guard/guard_settings_test and perception_test: what asks it",

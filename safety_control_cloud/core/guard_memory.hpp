@@ -92,7 +92,7 @@ class GuardMemory {
   static Drift foretold_at(double stamp, const Went& went, const Instant& now);
   Pose2 way_during(const Look& look, const Went& went, const Instant& now) const;
   std::optional<Whereabouts> whereabouts_at(double age, const Went& went, const Instant& now) const;
-  std::optional<KeptPlaces> placed_by_odometry() const;
+  std::optional<KeptPlaces> to_keep() const;
   bool waits_for(const std::vector<GuardSensor>& sensors, const Instant& now) const;
   bool has_strayed(const Instant& now) const;
   std::vector<Known> placed_by_odometry(const Known& like, const Around& around, const std::vector<bool>& shows);
