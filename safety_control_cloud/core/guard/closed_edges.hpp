@@ -66,9 +66,8 @@ class ClosedEdges {
 
     SwitchSettings settings;
     std::map<Edge, Said> edges;
-    std::map<std::string, double>
-        began_at;                    ///< since when who lives, or did while an edge is touched, is known [s, steady]
-    std::optional<double> spoke_at;  ///< [s, steady]
+    std::map<std::string, double> began_at;  ///< who lives, or did beside a touch: known since [s, steady]
+    std::optional<double> spoke_at;          ///< [s, steady]
     std::optional<Doubt> outside;
 
     bool is_touched() const;

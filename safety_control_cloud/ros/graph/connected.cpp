@@ -92,17 +92,14 @@ Connected::~Connected() {
 }
 
 std::vector<std::string> Connected::names(std::size_t connected) {
-  if (connected == 0) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    connected_.reset();
-    answer_.reset();
-    return {};
-  }
-  const auto known = living(connected);
+  const auto known = living_of_those(connected > 0 ? std::optional(connected) : std::nullopt);
+  if (connected == 0) return {};
   return known ? known->names : std::vector<std::string>{"somebody whose name the ROS master has yet to tell"};
 }
 
-std::optional<Connected::Living> Connected::living(std::size_t connected) {
+std::optional<Connected::Living> Connected::living(std::size_t connected) { return living_of_those(connected); }
+
+std::optional<Connected::Living> Connected::living_of_those(std::optional<std::size_t> connected) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (connected_ != connected) {
     connected_ = connected;

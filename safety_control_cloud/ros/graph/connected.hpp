@@ -38,6 +38,8 @@ class Connected {
   std::vector<std::string> names(std::size_t connected);
 
  private:
+  /// None: nobody asks any more.
+  std::optional<Living> living_of_those(std::optional<std::size_t> connected);
   void ask();
 
   const std::string topic_;

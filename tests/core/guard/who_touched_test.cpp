@@ -12,6 +12,12 @@ namespace {
 
 using Robot = RobotWithSwitches;
 
+/// That what somebody else touches is released.
+void says_in_vain(const std::string& who, Robot& robot) {
+  robot.says(kobuki, Edge::FrontLeft, false, who);
+  EXPECT_EQ(robot.goes_on(2.0, forward).cause, Cause::Bumper);
+}
+
 /// It may be touched still, or have been freed meanwhile.
 TEST(WhoTouched, WhatADriverSaidThatIsNoMoreHoldsUntilItsSuccessorSpeaksOrReset) {
   for (const bool is_reset : {false, true}) {
@@ -108,11 +114,9 @@ TEST(WhoTouched, AnotherWhoSpeaksForItDoesNotReleaseATouchThatOutlivedTheProcess
     robot.says(kobuki, Edge::FrontLeft, true, "left");
     ASSERT_TRUE(next.control.recall(robot.control.remembered()));
     if (is_gone) next.live(kobuki, {"right"});
-    next.says(kobuki, Edge::FrontLeft, false, "right");
-    EXPECT_EQ(next.goes_on(2.0, forward).cause, Cause::Bumper);
+    says_in_vain("right", next);
     if (is_gone) next.live(kobuki, {"right"});
-    next.says(kobuki, Edge::FrontLeft, false, "right");
-    EXPECT_EQ(next.goes_on(2.0, forward).cause, Cause::Bumper);
+    says_in_vain("right", next);
     next.says(kobuki, Edge::FrontLeft, false, is_gone ? "its successor" : "left");
     EXPECT_EQ(next.goes_on(2.0, forward).factor, 1.0) << next.wants(forward).reason;
   }
@@ -127,8 +131,7 @@ TEST(WhoTouched, WhoSpeaksBeforeItIsFoundToHaveBeenThereDoesNotRelease) {
   next.goes_on(0.1, forward);
   next.says(kobuki, Edge::FrontLeft, false, "right");
   next.control.note_switch_living(kobuki, {"right"}, asked);
-  next.says(kobuki, Edge::FrontLeft, false, "right");
-  EXPECT_EQ(next.goes_on(2.0, forward).cause, Cause::Bumper);
+  says_in_vain("right", next);
 }
 
 /// All drivers are started anew, or cut off for a while; the one that touched something is not back yet, or says
@@ -141,11 +144,9 @@ TEST(WhoTouched, WhoWasThereBesideItAndIsBackDoesNotRelease) {
     ASSERT_TRUE(next.control.recall(robot.control.remembered()));
     Robot& then = is_another_process ? next : robot;
     then.live(kobuki, {});
-    then.says(kobuki, Edge::FrontLeft, false, "right");
-    EXPECT_EQ(then.goes_on(2.0, forward).cause, Cause::Bumper);
+    says_in_vain("right", then);
     then.live(kobuki, {"left", "right"});
-    then.says(kobuki, Edge::FrontLeft, false, "right");
-    EXPECT_EQ(then.goes_on(2.0, forward).cause, Cause::Bumper);
+    says_in_vain("right", then);
     then.says(kobuki, Edge::FrontLeft, false, "left");
     EXPECT_EQ(then.goes_on(2.0, forward).factor, 1.0) << then.wants(forward).reason;
   }
@@ -154,12 +155,11 @@ TEST(WhoTouched, WhoWasThereBesideItAndIsBackDoesNotRelease) {
 /// As a Kobuki's does, which says nothing as long as its bumper stays pressed.
 TEST(WhoTouched, WhoseDriverIsBackAndHasNotSpokenIsReleasedByNobodyElse) {
   Robot robot;
-  robot.says(kobuki, Edge::Front, true, "left");
+  robot.says(kobuki, Edge::FrontLeft, true, "left");
   robot.live(kobuki, {});
   robot.live(kobuki, {"left"});
-  robot.says(kobuki, Edge::Front, false, "next");
-  EXPECT_EQ(robot.goes_on(2.0, forward).cause, Cause::Bumper);
-  robot.says(kobuki, Edge::Front, false, "left");
+  says_in_vain("next", robot);
+  robot.says(kobuki, Edge::FrontLeft, false, "left");
   EXPECT_EQ(robot.goes_on(2.0, forward).factor, 1.0) << robot.wants(forward).reason;
 }
 
