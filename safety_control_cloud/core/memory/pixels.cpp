@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace safety_control_cloud {
 namespace {
@@ -19,12 +18,6 @@ double middle_of(const RayLine& line) {
 }
 
 }  // namespace
-
-Point Pixels::read_plain(const Pixels& picture, std::size_t row, std::size_t column) {
-  float xyz[3];
-  std::memcpy(xyz, picture.plain_ + row * picture.row_step_ + column * picture.pixel_step_, sizeof xyz);
-  return picture.point_of(xyz[0], xyz[1], xyz[2]);
-}
 
 template <class OneReader>
 Point Pixels::read(const Pixels& picture, std::size_t row, std::size_t column) {
@@ -76,7 +69,6 @@ Pixels::Pixels(const View& view, float range_min, const RayHits* hits, const Usu
   const auto* const cloud = std::get_if<CloudView>(&view);
   if (!cloud || !cloud->is_of_floats() || !cloud->y_and_z_follow_x()) return;
   plain_ = cloud->bytes + cloud->offset[0];
-  read_ = &read_plain;
   around_ = &read_plain_around;
 }
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 #include <variant>
 #include <vector>
 
@@ -51,7 +53,9 @@ class Pixels {
   }
 
   /// In the cloud's frame; z is NaN where nothing returns.
-  Point at(std::size_t row, std::size_t column) const { return read_(*this, row, column); }
+  Point at(std::size_t row, std::size_t column) const {
+    return plain_ ? plain_at(row, column) : read_(*this, row, column);
+  }
   /// Every `step`-th pixel of a row, placed, all at once.
   void read(std::size_t row, std::size_t step, const Outlook& outlook, PixelRow& into) const;
   /// Asks for the bytes of every `step`-th pixel of a row from one on, which will be read soon: by now they may be in
@@ -79,7 +83,12 @@ class Pixels {
   }
   template <class OneReader>
   static Point read(const Pixels& picture, std::size_t row, std::size_t column);
-  static Point read_plain(const Pixels& picture, std::size_t row, std::size_t column);
+  /// Of most clouds: a call would take as long as the reading.
+  Point plain_at(std::size_t row, std::size_t column) const {
+    float xyz[3];
+    std::memcpy(xyz, plain_ + row * row_step_ + column * pixel_step_, sizeof xyz);
+    return point_of(xyz[0], xyz[1], xyz[2]);
+  }
   template <class OneReader>
   static std::array<float, 9> read_around(const Pixels& picture, std::size_t row, std::size_t column);
   static std::array<float, 9> read_plain_around(const Pixels& picture, std::size_t row, std::size_t column);
