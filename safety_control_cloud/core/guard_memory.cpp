@@ -66,8 +66,10 @@ bool GuardMemory::recall(const std::string& remembered) {
   return true;
 }
 
-/// Odometry that began anew meanwhile has jumped.
+/// Odometry that began anew meanwhile has jumped. What it was known to have jumped from waits until its time is over:
+/// it may lie right beside the robot.
 void GuardMemory::place_recalled(double stamp, const Whereabouts& robot, const Went& went, const Instant& now) {
+  if (!recalled_->robot) return;
   if (const auto then = seen_from(*recalled_, robot.pose, stamp, limits_.fastest)) {
     const auto places = shown_by(limits_.sensors, *recalled_);
     out_of_sight_.recall(places, {*then, {}, robot.drift, robot.unexplained}, now.steady);
@@ -86,10 +88,13 @@ double GuardMemory::looks_since(const Went& went, const Instant& now) {
 bool GuardMemory::note_breaks(const Went& went, const Instant& now) {
   if (went.odometry.breaks() == breaks_) return false;
   if (by_odometry_ && out_of_sight_.holds_any(now.steady)) jumped_ = looks_since(went, now);
-  const bool is_proven_wrong = by_odometry_ && went.odometry.has_jumped() && check_.note_jump(now);
+  const bool has_jumped = went.odometry.jumps() != jumps_;
+  const bool is_proven_wrong = by_odometry_ && has_jumped && check_.note_jump(now);
   if (is_proven_wrong && out_of_sight_.has_seen_any(now.steady)) check_.note_that_something_was_near();
-  breaks_ = went.odometry.breaks();
+  breaks_ = went.odometry.breaks(), jumps_ = went.odometry.jumps();
   if (by_odometry_) go_on_as_told(now);
+  for (auto* kept : {&recalled_, &broke_off_})
+    if (has_jumped && *kept) (*kept)->robot.reset();  // odometry goes on in another frame, for all that is known
   return true;
 }
 

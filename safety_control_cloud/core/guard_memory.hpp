@@ -114,7 +114,7 @@ class GuardMemory {
   OdometryCheck check_;
   std::list<std::vector<Ring>> rings_;   ///< as they were asked for last: of all sensors, or of each
   bool by_odometry_ = false;             ///< it is known where that is; or else by what the base was told
-  std::size_t breaks_ = 0;               ///< of the odometry, after which that began
+  std::size_t breaks_ = 0, jumps_ = 0;   ///< of the odometry, after which that began
   std::optional<KeptPlaces> recalled_;   ///< of another process, and not placed yet
   std::optional<KeptPlaces> broke_off_;  ///< as odometry had them placed that has not placed any since
   std::optional<Latest> latest_;         ///< look that was placed

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "guard_memory.hpp"
+#include "text/words.hpp"
 
 namespace safety_control_cloud {
 namespace {
@@ -33,7 +34,10 @@ std::optional<Doubt> GuardMemory::doubt_at(const Instant& now, const Went& went,
     return in_doubt("odometry cannot be right: " + *how + "; what is out of sight cannot be placed");
   if (has_strayed(now))
     return in_doubt("this node stood still as the robot drove, and what is out of sight cannot be placed");
-  if (recalled_) return in_doubt("no odometry, and what was out of sight before this start cannot be placed");
+  if (recalled_) {
+    const char* why = recalled_->robot ? "no odometry" : "odometry has jumped";
+    return in_doubt(words(why, ", and what was out of sight before this start cannot be placed"));
+  }
   if (waits_for(sensors, now)) return in_doubt("odometry jumped or paused, and not every sensor has looked since");
   if (is_placed_by_odometry && !(went.odometry.is_fresh(now.ros) && went.odometry.pose_at(now.ros)))
     return in_doubt("no odometry, and what is out of sight cannot be placed");
@@ -47,7 +51,9 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
   Known known;
   known.sensor = "memory";
   known.doubt = doubt_at(now, went, sensors);
-  if (has_strayed(now) || check_.contradiction_at(now.steady)) known.hint = what_frees_who_strayed;
+  const bool is_over_by_time =
+      has_strayed(now) || check_.contradiction_at(now.steady) || (recalled_ && !recalled_->robot);
+  if (is_over_by_time) known.hint = what_frees_who_strayed;
   if (known.doubt) return {known};
   jumped_.reset();
   if (!out_of_sight_.holds_any(now.steady)) return {};

@@ -12,7 +12,7 @@
 namespace safety_control_cloud {
 namespace {
 
-constexpr const char* version = "places-2";
+constexpr const char* version = "places-3";
 constexpr const char* end = "end";
 constexpr const char* no_name = "-";
 constexpr std::size_t most_sensors = 100;
@@ -82,8 +82,8 @@ std::string to_text(const KeptPlaces& kept) {
   if (places.empty()) return {};
   std::ostringstream text;
   text.precision(15);
-  text << version << ' ' << kept.stamp << ' ' << kept.robot.place.x << ' ' << kept.robot.place.y << ' '
-       << kept.robot.heading;
+  text << version << ' ' << kept.stamp << ' ' << (kept.robot ? 1 : 0);
+  if (kept.robot) text << ' ' << kept.robot->place.x << ' ' << kept.robot->place.y << ' ' << kept.robot->heading;
   const auto of_each = by_sensor(places);
   text << ' ' << of_each.size();
   for (std::size_t sensor = 0; sensor < of_each.size(); ++sensor) {
@@ -100,9 +100,10 @@ std::optional<KeptPlaces> kept_places_in(const std::string& text) {
   if (reader.word() != version) return std::nullopt;
   KeptPlaces kept;
   kept.stamp = reader.number(0.0, any);
-  kept.robot.place.x = reader.number(-any, any);
-  kept.robot.place.y = reader.number(-any, any);
-  kept.robot.heading = reader.number(-any, any);
+  if (reader.count(1) == 1) {
+    const double x = reader.number(-any, any), y = reader.number(-any, any);
+    kept.robot = {{x, y}, reader.number(-any, any)};
+  }
   const std::size_t sensors = reader.count(most_sensors);
   for (std::size_t sensor = 0; sensor < sensors && reader.good(); ++sensor) {
     const std::string name = reader.word();

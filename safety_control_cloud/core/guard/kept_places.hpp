@@ -19,8 +19,8 @@ struct KeptPlace {
 
 /// What of them is written down, to outlive the process.
 struct KeptPlaces {
-  double stamp = 0.0;  ///< [s, ROS time] of the pose
-  Pose2 robot;         ///< in the frame of odometry
+  double stamp = 0.0;          ///< [s, ROS time] of the pose
+  std::optional<Pose2> robot;  ///< in the frame of odometry; none: that has jumped since, and nobody knows its frame
   std::vector<KeptPlace> all;
   std::vector<std::string> sensors = {};  ///< the names of those that showed them
 };

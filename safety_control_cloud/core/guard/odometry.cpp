@@ -46,7 +46,7 @@ Drift beyond_noise(const Drift& off) {
 void Odometry::note(double stamp, const Pose2& pose, const Twist2& twist, const Fastest& fastest) {
   Noted next{stamp, pose, twist, fastest};
   if (!std::isfinite(stamp) || !is_finite(pose) || !is_sound(twist)) {
-    has_jumped_ = true;  // for all that is known
+    if (!noted_.empty()) ++jumps_;  // for all that is known
     forget();
     return;
   }
@@ -54,7 +54,7 @@ void Odometry::note(double stamp, const Pose2& pose, const Twist2& twist, const 
   tells_twists_ = tells_twists_ || speed_of(twist) > 0.0 || twist.w != 0.0;
   const Drift explained = explained_until(next);
   if (!noted_.empty() && !goes_on(next, explained)) {
-    has_jumped_ = !is_reached(noted_.back().pose, pose, {});
+    if (!is_reached(noted_.back().pose, pose, {})) ++jumps_;
     forget();
   }
   if (noted_.empty()) {

@@ -51,8 +51,8 @@ class Odometry {
 
   /// How often it did not go on from what was before, and the first stamp [s] since; infinite until then.
   std::size_t breaks() const { return breaks_; }
-  /// Whether the latest of these was no pause, after which it told of the same place as before.
-  bool has_jumped() const { return has_jumped_; }
+  /// How many of these were no pauses, after which it told of the same place as before.
+  std::size_t jumps() const { return jumps_; }
   double goes_on_since() const { return since_; }
 
   /// [s] from that stamp to the latest.
@@ -94,7 +94,7 @@ class Odometry {
   std::deque<Noted> noted_;
   std::optional<Deaf> deaf_;  ///< the latest
   std::size_t breaks_ = 0;
-  bool has_jumped_ = false;
+  std::size_t jumps_ = 0;
   double since_ = 0.0;
   bool tells_twists_ = false;  ///< some leave them zero for ever
   Anchor anchor_;

@@ -40,7 +40,8 @@ std::vector<KeptPlace> shown_by(const Sensors& sensors, const KeptPlaces& kept) 
 }
 
 std::optional<Pose2> seen_from(const KeptPlaces& kept, const Pose2& robot, double stamp, const Twist2& fastest) {
-  Pose2 then = kept.robot;  // each process counts its own full turns
+  if (!kept.robot) return std::nullopt;
+  Pose2 then = *kept.robot;  // each process counts its own full turns
   then.heading = robot.heading + wrapped(then.heading - robot.heading);
   const Pose2 way = between(then, robot);
   const double time = std::max(0.0, stamp - kept.stamp);

@@ -16,7 +16,7 @@ const Twist2 right{0.0, -0.7, 0.0};
 KeptPlaces some(std::size_t count, double spread) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any(-spread, spread);
-  KeptPlaces kept{1000.25, {{5.2e5 + 0.125, -5.4e6}, 2.5}, {}};
+  KeptPlaces kept{1000.25, Pose2{{5.2e5 + 0.125, -5.4e6}, 2.5}, {}};
   for (std::size_t i = 0; i < count; ++i) kept.all.push_back({{any(random), any(random)}, 0.3, 0.02});
   return kept;
 }
@@ -34,9 +34,10 @@ TEST(KeptPlaces, TextCoversEachPlace) {
   const auto read = kept_places_in(to_text(kept));
   ASSERT_TRUE(read);
   EXPECT_EQ(read->stamp, kept.stamp);
-  EXPECT_EQ(read->robot.place.x, kept.robot.place.x);
-  EXPECT_EQ(read->robot.place.y, kept.robot.place.y);
-  EXPECT_EQ(read->robot.heading, kept.robot.heading);
+  ASSERT_TRUE(read->robot && kept.robot);
+  EXPECT_EQ(read->robot->place.x, kept.robot->place.x);
+  EXPECT_EQ(read->robot->place.y, kept.robot->place.y);
+  EXPECT_EQ(read->robot->heading, kept.robot->heading);
   for (const KeptPlace& one : kept.all) EXPECT_TRUE(covers(*read, one)) << one.place.x << ' ' << one.place.y;
   for (const KeptPlace& one : read->all) EXPECT_LE(one.off, 0.02 + 0.031);
 }
@@ -92,9 +93,11 @@ TEST(KeptPlaces, WhatIsNotWholeIsNotRead) {
   ASSERT_TRUE(kept_places_in(text));
   for (std::size_t length = 0; length + 1 < text.size(); ++length)
     EXPECT_FALSE(kept_places_in(text.substr(0, length))) << length;
-  EXPECT_FALSE(kept_places_in("places-2 nan 0 0 0 1 - 1 1 1 1 1 end"));
-  EXPECT_FALSE(kept_places_in("places-2 1 0 0 0 1 - 1 1 1 1 -1 end"));
-  EXPECT_FALSE(kept_places_in("places-2 1 0 0 0 1 - 4294967295 end"));
+  EXPECT_TRUE(kept_places_in("places-3 1 1 0 0 0 1 - 1 1 1 1 1 end"));
+  EXPECT_FALSE(kept_places_in("places-3 1 2 0 0 0 1 - 1 1 1 1 1 end"));
+  EXPECT_FALSE(kept_places_in("places-3 nan 1 0 0 0 1 - 1 1 1 1 1 end"));
+  EXPECT_FALSE(kept_places_in("places-3 1 1 0 0 0 1 - 1 1 1 1 -1 end"));
+  EXPECT_FALSE(kept_places_in("places-3 1 1 0 0 0 1 - 4294967295 end"));
 }
 
 /// A robot that has turned away from a post, which is on its right; and one that goes on after it was killed.
@@ -152,6 +155,38 @@ TEST(KeptPlaces, WhereTheyWereAsOdometryBrokeOffIsToldUntilItPlacesThemAgain) {
     EXPECT_NEAR(answer.point->y, -0.9 + 0.087, 0.15);
     EXPECT_NEAR(answer.point->x, 0.0, 0.2);
   }
+}
+
+/// Killed a moment after odometry jumped, by less than the robot may have gone until the next process hears of it.
+TEST(KeptPlaces, FromWhereOdometryHasJumpedNobodyPlacesThemAnyMore) {
+  RobotWithOdometry robot, next;
+  robot.passes(0.5, with_post);
+  robot.turns(quarter, robot.hall);
+  robot.passes(0.5, robot.hall);
+  robot.pose.place.x += 0.5;
+  robot.passes(0.1, robot.hall);
+  next.now = robot.now;
+  next.pass(2.0);
+  next.pose = robot.pose;
+  ASSERT_TRUE(next.control.recall(robot.control.remembered()));
+  const Guarded& answer = next.asked(right);
+  EXPECT_EQ(answer.cause, Cause::NoOdometry);
+  EXPECT_EQ(answer.reason, "odometry has jumped, and what was out of sight before this start cannot be placed");
+  EXPECT_NE(answer.hint, "");
+  EXPECT_EQ(next.control.remembered().back(), robot.control.remembered().back()) << "for the next one";
+  next.passes(30.0, next.hall);
+  EXPECT_EQ(next.asked(right).factor, 1.0) << next.wants(right).reason;
+}
+
+/// The next process hears it jump before that goes on for long enough to be asked.
+TEST(KeptPlaces, NorIfItJumpsBeforeTheyArePlaced) {
+  Restarted restarted(1.0);
+  ASSERT_TRUE(restarted.next.control.recall(restarted.remembered));
+  restarted.next.passes(0.1, restarted.next.hall);
+  restarted.next.pose.place.x += 0.3;
+  EXPECT_EQ(restarted.next.asked(right).cause, Cause::NoOdometry);
+  restarted.next.control.forget_losses();
+  EXPECT_EQ(restarted.next.asked(right).factor, 1.0) << restarted.next.wants(right).reason;
 }
 
 TEST(KeptPlaces, WhatWasToldAsOdometryBrokeOffIsOverWithItsTimeOrReset) {

@@ -155,10 +155,10 @@ TEST(Odometry, HasJumpedWhoGoesOnElsewhereAndNotWhoPaused) {
     return odometry;
   };
   EXPECT_EQ(after(14.0, {{0.32, 0.0}, 0.0}).breaks(), std::size_t{1});
-  EXPECT_FALSE(after(14.0, {{0.32, 0.0}, 0.0}).has_jumped());
-  EXPECT_TRUE(after(14.0, {{0.9, 0.0}, 0.0}).has_jumped());
-  EXPECT_TRUE(after(11.02, {{0.3, 0.0}, 1.0}).has_jumped());
-  EXPECT_TRUE(after(11.02, {{std::nan(""), 0.0}, 1.0}).has_jumped()) << "for all that is known";
+  EXPECT_EQ(after(14.0, {{0.32, 0.0}, 0.0}).jumps(), 0u);
+  EXPECT_EQ(after(14.0, {{0.9, 0.0}, 0.0}).jumps(), 1u);
+  EXPECT_EQ(after(11.02, {{0.3, 0.0}, 1.0}).jumps(), 1u);
+  EXPECT_EQ(after(11.02, {{std::nan(""), 0.0}, 1.0}).jumps(), 1u) << "for all that is known";
 }
 
 }  // namespace

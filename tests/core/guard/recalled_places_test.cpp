@@ -33,7 +33,7 @@ TEST(RecalledPlaces, AreSeenFromWhereTheRobotWasIfItCanHaveComeFromThere) {
   const Twist2 fastest{0.5, 0.0, 1.0};
   KeptPlaces kept;
   kept.stamp = 100.0;
-  kept.robot = {{1.0, 2.0}, 3.0};
+  kept.robot = Pose2{{1.0, 2.0}, 3.0};
   const auto from = [&](double x, double heading, double stamp) {
     return seen_from(kept, {{x, 2.0}, heading}, stamp, fastest);
   };
@@ -46,6 +46,8 @@ TEST(RecalledPlaces, AreSeenFromWhereTheRobotWasIfItCanHaveComeFromThere) {
   EXPECT_FALSE(from(1.0, 4.5, 101.0));
   EXPECT_FALSE(from(NAN, 3.0, 102.0));
   EXPECT_FALSE(from(1.0, NAN, 102.0));
+  kept.robot.reset();
+  EXPECT_FALSE(from(1.0, 3.0, 100.0)) << "nobody knows in which frame it was";
 }
 
 }  // namespace

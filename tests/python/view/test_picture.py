@@ -83,7 +83,7 @@ def test_what_the_core_remembers_is_where_it_was_seen():
 
     assert len(spots) and np.allclose(spots[:, 2], 0.6, atol=0.02) and (np.abs(spots[:, :2]) < 0.3).all()
     assert np.array_equal(spots_in([f"front\nfacing 0.8 {text}" for text in control.remembered()]), spots)
-    assert np.array_equal(spots_in([*control.remembered(), "touched-1 1 bumper front end", "places-2 1 0 0 0 0 end"]), spots)
+    assert np.array_equal(spots_in([*control.remembered(), "touched-1 1 bumper front end", "places-3 1 1 0 0 0 0 end"]), spots)
 
 
 @pytest.mark.parametrize("text", ["", "things-2 1 1 1", "things-4", "things-4 64 48 0.4 1 2 0 1 3 4", "things-4 64 48 0.4 x"])
