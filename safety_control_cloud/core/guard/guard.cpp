@@ -128,16 +128,17 @@ Allowed Guard::by_sight(const Twist2& wanted, const UnderWay& under_way, const K
 /// Returns of the rings inside count as touched already, so that an obstacle that two rings share is one. What is
 /// placed by what the base was told counts wherever it may be; for who drives where the sensor looks that saw it, only
 /// beside what that shows, and where it is most likely to be, or he would not get past anything: not far from there, if
-/// he turns toward it, or nobody knows well where it is, who then is let creep as where nothing is seen. What its
-/// picture misses counts for him too, wherever it may be within that.
+/// he turns toward it, or nobody knows well where it is. Then he is let creep, as where nothing is seen: past what may
+/// be anywhere, or what he clears where it most likely is. What its picture misses counts for him too, wherever it may
+/// be within that.
 Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Known& known, const Ring& ring,
                        std::size_t nearer, bool is_shown) const {
   Allowed least;
   if (ring.returns == 0) return least;
-  const bool is_vague = is_shown && !known.is_missed && ring.obstacles.widening > well_known;
-  const double creeping = is_vague || creeps(outline_, known, wanted)
-                              ? std::min(1.0, settings_.unseen_speed / fastest_point(outline_, wanted))
-                              : 0.0;
+  const bool is_guessed = is_shown && !known.is_missed;
+  const bool is_vague = is_guessed && ring.obstacles.widening > well_known;
+  const double creeping = std::min(1.0, settings_.unseen_speed / fastest_point(outline_, wanted));
+  const bool may_creep = is_vague || creeps(outline_, known, wanted);
   const double off = counted_nearer(ring.obstacles.widening, known, is_shown, wanted);
   const double widening = off + half_of_gap(known.ways, std::sqrt(2.0) * ring.extent);
   if (!(outline_.margin() + widening <= most_margin))
@@ -149,6 +150,10 @@ Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Kn
   // rest is taken off the noise.
   law.noise = std::max(0.5 * law.noise, law.noise - 2.0 * off);
   const Outline outline(widened(outline_, widening));
+  const auto clears = [&](const Obstacles& likely) {
+    const Outline as_it_is(widened(outline_, widening - off));
+    return safety_control_cloud::limit(as_it_is, known.law, likely, known.age, under_way, wanted).factor >= creeping;
+  };
   for (const Pose2& way : known.ways) {
     Obstacles moved = seen_after(way, ring.obstacles);
     if (known.is_missed || is_shown) {
@@ -158,7 +163,7 @@ Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Kn
       });
     }
     Limit limit = safety_control_cloud::limit(outline, law, moved, known.age, under_way, wanted);
-    limit.factor = std::max(limit.factor, creeping);
+    if (limit.factor < creeping && (may_creep || (is_guessed && off > 0.0 && clears(moved)))) limit.factor = creeping;
     if (!(limit.factor < least.factor)) continue;
     const Contact decider = limit.contact.point ? limit.contact : on_the_path(outline, moved, wanted);
     least = {limit.factor, decider.time, std::nullopt, known.sensor, Cause::Seen, "something lies beside the path"};

@@ -192,12 +192,34 @@ TEST(WithoutOdometry, TheHeadOfWhatStandsOnTheFloorDoesNotCountAboveThePicture) 
 
 /// It braked at once, or late and slowly.
 TEST(WithoutOdometry, WhatIsBesideThePictureMayBeNearerThanItMostLikelyIsToWhoTurnsThere) {
-  RobotWithoutOdometry robot;
+  Settings settings = remembering();
+  settings.unseen_speed = 0.1;
+  RobotWithoutOdometry robot(settings);
   for (float ahead = 0.8f; ahead > 0.5f; ahead -= 0.015f)
     robot.drives_on(ahead > 0.7f ? Scene({post(ahead, 0.33f)}) : robot.hall, {0.3, 0.0, 0.0});
   robot.passes(1.0, robot.hall);
   EXPECT_LT(robot.drives_on(robot.hall, {0.3, 0.0, -0.9}).factor, 0.9);
   EXPECT_EQ(robot.drives_on(robot.hall, {0.3, 0.0, -0.2}).factor, 1.0) << robot.wants({0.3, 0.0, -0.2}).reason;
+}
+
+/// Who turns around a post that has left the picture beside it is clear of where that most likely is, or he is not.
+TEST(WithoutOdometry, WhatMayBeNearerThanItMostLikelyIsIsCreptPast) {
+  Settings settings = remembering();
+  settings.footprint.text = "[[0.23, 0.21], [-0.23, 0.21], [-0.23, -0.21], [0.23, -0.21]]";
+  for (const double unseen_speed : {0.1, 0.0}) {
+    settings.unseen_speed = unseen_speed;
+    for (const float right : {0.36f, 0.32f, 0.28f}) {
+      RobotWithoutOdometry robot(settings);
+      for (float ahead = 1.0f; ahead > 0.2f; ahead -= 0.015f)
+        robot.drives_on(ahead > 0.6f ? Scene({post(ahead, right)}) : robot.hall, {0.3, 0.0, 0.0});
+      robot.passes(0.5, robot.hall);
+      const Twist2 around{0.2, 0.0, -0.5};
+      const double creeping = right > 0.3f ? unseen_speed / (0.2 + 0.5 * std::hypot(0.23, 0.21)) : 0.0;
+      const Guarded& answer = robot.drives_on(robot.hall, around);
+      EXPECT_NEAR(answer.factor, creeping, 0.03) << right << ": " << answer.reason;
+      EXPECT_EQ(answer.sensor, "memory");
+    }
+  }
 }
 
 /// It has turned to and fro since: who is well known to be beside the way is driven past, who is not may be nearer.
