@@ -46,6 +46,25 @@ TEST(Kept, WhatIsLostOutlivesTheProcess) {
   EXPECT_FALSE(judged(reborn, Scene({wall}))) << "it has been taken away";
 }
 
+/// Four times a second; but once, of what stays where it was.
+TEST(Kept, IsWrittenAnewAsSoonAsItHasMoved) {
+  const auto board = [](float z, float right) { return Scene({{z, right - 0.2f, right + 0.2f, -0.2f, 0.05f}}); };
+  const auto is_anew_after = [&](double seconds, const Scene& then) {
+    NearLoss memory{NearLossLimits{}};
+    judged(memory, board(0.45f, 0.0f), 1.0);
+    const std::string text = memory.serialised();
+    EXPECT_NE(text, "");
+    judged(memory, then, 1.0 + seconds);
+    return memory.serialised() != text;
+  };
+  EXPECT_FALSE(is_anew_after(0.2, board(0.42f, 0.0f)));
+  EXPECT_TRUE(is_anew_after(0.25, board(0.42f, 0.0f)));
+  EXPECT_TRUE(is_anew_after(0.25, board(0.45f, 0.06f)));
+  EXPECT_TRUE(is_anew_after(0.25, Scene({{0.45f, -0.2f, 0.2f, -0.2f, 0.05f}, {0.44f, 0.22f, 0.24f, -0.2f, 0.05f}})));
+  EXPECT_FALSE(is_anew_after(0.9, board(0.44f, 0.01f)));
+  EXPECT_TRUE(is_anew_after(1.0, board(0.44f, 0.01f)));
+}
+
 TEST(Kept, WhateverItsSizeItCanBeReadAgain) {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> nearness(0.41f, 0.7f), across(-0.3f, 0.3f), down(-0.2f, 0.15f);
