@@ -199,6 +199,11 @@ Drift GuardMemory::foretold_at(double stamp, const Went& went, const Instant& no
   return most;
 }
 
+std::vector<KnownPlace> GuardMemory::resting(const Look& look, const Went& went, const Instant& now) const {
+  const auto robot = whereabouts_at(now.ros - look.stamp, went, now);
+  return robot ? resting(look.outlook, *robot, now) : std::vector<KnownPlace>();
+}
+
 std::vector<KnownPlace> GuardMemory::resting(const Outlook& sensor, const Whereabouts& robot,
                                              const Instant& now) const {
   return out_of_sight_.resting(sensor, robot, now.steady);

@@ -60,6 +60,9 @@ class GuardMemory {
   /// Where the robot was at a stamp [s, ROS], by odometry; none: nobody knows.
   std::optional<Whereabouts> by_odometry_at(double stamp, const Went& went, const Instant& now) const;
 
+  /// What was seen to rest, as the sensor has it that showed this; nothing, if nobody knows where the robot was.
+  std::vector<KnownPlace> resting(const Look& look, const Went& went, const Instant& now) const;
+
   /// What was seen to rest, as a sensor has it that looks from there.
   std::vector<KnownPlace> resting(const Outlook& sensor, const Whereabouts& robot, const Instant& now) const;
 

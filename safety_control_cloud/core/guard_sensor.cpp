@@ -22,6 +22,8 @@ constexpr double turned_away = 0.2;  ///< [rad] by which a camera may look past 
 const std::vector<Ring> nothing;
 
 constexpr const char* facing_word = "facing";
+constexpr const char* looked_over_hint =
+    "its front is seen, or nothing of it for a second, or after ~reset, when somebody has looked";
 constexpr double least_of_scan = 0.3;      ///< [m] from which on a laser measures what is there, if it does so near
 constexpr double beyond_range_min = 0.05;  ///< [m] from which on it does, if not
 constexpr double least_beyond = 0.15;      ///< [m] beyond its blind range from which on a camera does
@@ -90,6 +92,7 @@ std::optional<Look> GuardSensor::see(const Reading& reading, const Origin& origi
 void GuardSensor::forget_losses() {
   sensor_.forget_losses();
   lost_.forget();
+  looked_over_.forget();
 }
 
 /// After which way its corridor leads, if that is not ahead.
@@ -164,6 +167,19 @@ void GuardSensor::explain_loss(const std::vector<KnownPlace>& known, double now)
   lost_.explain(sensor_.answer(), known, *taken_, own_.near_loss.blind_range, own_.memory_time, now);
 }
 
+std::vector<Point2> GuardSensor::ends_below() const {
+  std::vector<Point2> ends;
+  for (const Point& end : sensor_.ends_below()) {
+    const Point placed = taken_->outlook.placed(end.x, end.y, end.z);
+    ends.push_back({placed.z, -placed.x});
+  }
+  return ends;
+}
+
+void GuardSensor::note_fronts(const std::vector<KnownPlace>& known, double now) {
+  looked_over_.note(ends_below(), taken_->eye.place, known, now);
+}
+
 std::optional<Outlook> GuardSensor::outlook_if_blind(const Placing& placing) const {
   const auto* placement = std::get_if<Placement>(&placing);
   if (!lost_.is_blind_only(sensor_.answer()) || own_.input == InputKind::Scan || !taken_ || !placement)
@@ -190,6 +206,9 @@ Known GuardSensor::known_at(const Instant& now, const Odometry& odometry, const 
     known.lost = std::move(lost);
     if (const auto* seen = std::get_if<Seen>(&sensor_.answer()); seen && seen->loss) known.hint = seen->loss->hint;
     known.doubt.reset();
+  } else if (!known.doubt && looked_over_.is_unknown()) {
+    known.lost = Doubt{Cause::NearLoss, "it looks over something low, and nobody knows how near that reaches"};
+    known.hint = looked_over_hint;
   }
   if (known.doubt && known.doubt->cause == Cause::WrongView && lost_.is_ahead())
     known.doubt->reason += "; it has turned away from where it lost something: let it look there again";

@@ -3,9 +3,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "guard/given.hpp"
 #include "guard/guard.hpp"
+#include "guard/looked_over.hpp"
 #include "guard/odometry.hpp"
 #include "guard/out_of_sight.hpp"
 #include "guard/surroundings.hpp"
@@ -36,6 +38,12 @@ class GuardSensor {
 
   /// What is known to be around it there: if that is all that is lost, nothing is.
   void explain_loss(const std::vector<KnownPlace>& known, double now);
+
+  /// Where, in base_frame [m], the top of something meets its picture's lower border, that it looks over.
+  std::vector<Point2> ends_below() const;
+
+  /// What was seen to rest around it as its latest picture was taken.
+  void note_fronts(const std::vector<KnownPlace>& known, double now);
 
   /// How it is placed, if it has been blind since it was sound last; none: it sees, or something else is the matter.
   std::optional<Outlook> outlook_if_blind(const Placing& placing) const;
@@ -115,6 +123,7 @@ class GuardSensor {
   std::optional<LatestLook> taken_;
   Collected collected_ = Collected::Nothing;
   LostFromSight lost_;
+  LookedOver looked_over_;
   bool is_new_picture_ = false;         ///< the latest reading: something may be remembered of it
   std::optional<double> last_arrival_;  ///< [s] steady
   double last_taken_ = 0.0;             ///< [s] ROS

@@ -93,6 +93,9 @@ void Perception::see(const Reading& reading, const Origin& origin, const Instant
     for (GuardSensor& one : sensors_) one.forget_poses();
   if (!look) return explain_blindness(sensor, origin, now, given);
   const auto pose = memory_.note(sensor, *look, went, now);
+  const bool looks_over_any = !sensors_[sensor].ends_below().empty();
+  sensors_[sensor].note_fronts(looks_over_any ? memory_.resting(*look, went, now) : std::vector<KnownPlace>(),
+                               now.steady);
   const bool is_any_lost = sensors_[sensor].note_pose(pose, now.steady);
   if (!is_any_lost || !pose || !memory_.remembers()) return;
   const auto robot = memory_.by_odometry_at(look->stamp, went, now);

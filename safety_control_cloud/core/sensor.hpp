@@ -90,6 +90,8 @@ class Sensor {
 
   /// The number of the latest reading in which anything near was looked for; a new one only if that was the latest.
   std::uint32_t picture() const { return near_loss_.picture(); }
+  /// See NearLoss.
+  const std::vector<Point>& ends_below() const { return near_loss_.ends_below(); }
 
   /// Forgets the near obstacles that were lost from sight, and how much and how soon the camera used to show: somebody
   /// has looked.

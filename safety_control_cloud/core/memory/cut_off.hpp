@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "../look/outlook.hpp"
 #include "pixels.hpp"
 
 namespace safety_control_cloud {
@@ -11,5 +12,8 @@ namespace safety_control_cloud {
 /// top of a low box does once the camera looks over its front; a wall does not. Of a camera that looks up or down, or
 /// rolls, the rows' middle is where it looks level. `nearest_in_row` [m], infinity where nothing is in the corridor.
 bool recedes_at_the_bottom(const Pixels& picture, const std::vector<float>& nearest_in_row);
+
+/// Where that meets the border, in the corridor, in the cloud's frame: of a large picture, some of its columns.
+std::vector<Point> ends_at_the_bottom(const Pixels& picture, const Outlook& outlook);
 
 }  // namespace safety_control_cloud

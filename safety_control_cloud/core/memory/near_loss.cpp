@@ -79,6 +79,7 @@ bool NearLoss::cuts_off(const Sight& sight, const Outlook& outlook) const {
 std::optional<Loss> NearLoss::judge(const View& view, const Sight& sight, const Outlook& outlook, double now,
                                     double since) {
   is_cut_off_below_ = false;
+  ends_below_.clear();
   if (limits_.distance <= 0.0) return std::nullopt;
   const Patience patience{now, limits_.timeout};
   move_with_camera(outlook);
@@ -166,6 +167,7 @@ std::optional<Loss> NearLoss::judge_organised(const View& view, const Sight& sig
   const auto low = low_.judge(ground_, picture, outlook, patience, step > step_after_pause ? step : 0.0f);
   const auto thing = nearest_loss(things_.things(), outlook, kept());
   is_cut_off_below_ = recedes_at_the_bottom(picture, sight.nearest_in_rows);
+  if (is_cut_off_below_) ends_below_ = ends_at_the_bottom(picture, outlook);
   note_backdrop(picture, thing && thing->whole);
   auto loss = nearer(low, thing);
   auto covered = floor_.covered();

@@ -75,6 +75,9 @@ class NearLoss {
   /// Whether any thing was near when it was shown last, or is lost.
   bool is_any_near() const { return limits_.distance > 0.0 && written_.is_any_near(); }
 
+  /// In the latest picture, where what it cuts off at its lower border meets that, in the cloud's frame.
+  const std::vector<Point>& ends_below() const { return ends_below_; }
+
   /// The number of the latest picture in which anything was near, or might have been.
   std::uint32_t picture() const { return things_.picture(); }
 
@@ -125,6 +128,7 @@ class NearLoss {
   ThingsMemory things_;
   std::optional<double> lost_since_;  ///< [s] anything, without a break
   bool is_cut_off_below_ = false;     ///< what that shows, at its lower border
+  std::vector<Point> ends_below_;     ///< where
   bool are_axes_new_ = false;         ///< and no picture has come since
   Written written_;
 };
