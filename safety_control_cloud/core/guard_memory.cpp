@@ -41,12 +41,14 @@ void GuardMemory::forget() {
   jumped_.reset();
   told_since_.reset();
   strayed_.reset();
+  mistaken_.reset();
   check_.forget();
 }
 
 /// As of the latest look that somebody knows the place of.
 std::string GuardMemory::remembered() const {
   if (recalled_) return to_text(*recalled_);
+  if (mistaken_) return to_text({*mistaken_, std::nullopt, {}});
   if (const auto placed = to_keep()) return to_text(*placed);
   return broke_off_ ? to_text(*broke_off_) : std::string();
 }
@@ -120,6 +122,11 @@ void GuardMemory::note_deafness(double seconds, const Given& given, const Instan
 /// What was remembered then.
 bool GuardMemory::has_strayed(const Instant& now) const {
   return !by_odometry_ && strayed_ && now.steady - *strayed_ <= limits_.places.time;
+}
+
+/// For as long as what was near then may be there.
+bool GuardMemory::is_mistaken(const Instant& now) const {
+  return has_strayed(now) || check_.contradiction_at(now.steady).has_value();
 }
 
 std::optional<Pose2> GuardMemory::note(std::size_t sensor, const Look& look, const Went& went, const Instant& now) {

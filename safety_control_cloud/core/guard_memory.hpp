@@ -37,7 +37,8 @@ class GuardMemory {
   /// Nothing is remembered, and nothing speaks against that.
   void forget();
 
-  /// What is placed by odometry, or was until that broke off, for another process to go on with; empty if nothing is.
+  /// What is placed by odometry, or was until that broke off, for another process to go on with, or that nobody knows
+  /// where it is; empty if nothing is.
   std::string remembered() const;
 
   /// Goes on with that once odometry does from where it was; false, and nothing changes, if it is not legible. Until
@@ -91,6 +92,7 @@ class GuardMemory {
   void place_recalled(double stamp, const Whereabouts& robot, const Went& went, const Instant& now);
   static double looks_since(const Went& went, const Instant& now);
   void go_on_as_told(const Instant& now);
+  bool is_mistaken(const Instant& now) const;
   void choose_whereabouts(double stamp, const Went& went, const Instant& now);
   static Drift foretold_at(double stamp, const Went& went, const Instant& now);
   Pose2 way_during(const Look& look, const Went& went, const Instant& now) const;
@@ -123,6 +125,7 @@ class GuardMemory {
   std::optional<Latest> latest_;         ///< look that was placed
   std::optional<double> told_since_;     ///< [s, steady] odometry broke off, and has not spoken since
   std::optional<double> strayed_;        ///< [s, steady] it went on by itself until then, as far as nobody knows
+  std::optional<double> mistaken_;       ///< [s, ROS] nobody knew then where what was near is, nor for how long before
   std::optional<double> jumped_;         ///< [s, ROS] since then odometry goes on, and not every sensor has looked
 };
 

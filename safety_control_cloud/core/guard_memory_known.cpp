@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "guard_memory.hpp"
@@ -8,6 +9,7 @@
 namespace safety_control_cloud {
 namespace {
 
+constexpr double mistaken_for = 1.0;  ///< [s] until that is written down anew
 constexpr const char* what_frees =
     "a sensor sees past that, or after memory_time, or after ~reset, when somebody has looked";
 constexpr const char* what_frees_who_strayed = "after memory_time, or after ~reset, when somebody has looked";
@@ -35,7 +37,7 @@ std::optional<Doubt> GuardMemory::doubt_at(const Instant& now, const Went& went,
   if (has_strayed(now))
     return in_doubt("this node stood still as the robot drove, and what is out of sight cannot be placed");
   if (recalled_) {
-    const char* why = recalled_->robot ? "no odometry" : "odometry has jumped";
+    const char* why = recalled_->robot ? "no odometry" : "odometry jumped or was wrong";
     return in_doubt(words(why, ", and what was out of sight before this start cannot be placed"));
   }
   if (waits_for(sensors, now)) return in_doubt("odometry jumped or paused, and not every sensor has looked since");
@@ -48,11 +50,15 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
                                          const std::vector<bool>& shows, const Guard& guard) {
   for (auto* kept : {&recalled_, &broke_off_})
     if (*kept && (are_over((*kept)->stamp, now.ros, limits_.places.time) || !remembers())) kept->reset();
+  if (!is_mistaken(now)) {
+    mistaken_.reset();
+  } else if (!mistaken_ || std::abs(now.ros - *mistaken_) > mistaken_for) {
+    mistaken_ = now.ros;
+  }
   Known known;
   known.sensor = "memory";
   known.doubt = doubt_at(now, went, sensors);
-  const bool is_over_by_time =
-      has_strayed(now) || check_.contradiction_at(now.steady) || (recalled_ && !recalled_->robot);
+  const bool is_over_by_time = is_mistaken(now) || (recalled_ && !recalled_->robot);
   if (is_over_by_time) known.hint = what_frees_who_strayed;
   if (known.doubt) return {known};
   jumped_.reset();

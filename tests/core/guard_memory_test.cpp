@@ -220,6 +220,11 @@ TEST(GuardMemory, WhoDidNotListenWhileTheRobotDroveStandsIfNothingIsPlacedByOdom
     };
     EXPECT_FALSE(is_deaf(0.6)) << "0.12 m";
     EXPECT_EQ(is_deaf(4.0), !has_odometry);
+    RobotWithOdometry next;
+    next.now = robot.now;
+    EXPECT_TRUE(next.control.recall(robot.control.remembered()));
+    next.passes(0.3, next.hall);
+    EXPECT_EQ(next.wants({-0.2, 0.0, 0.0}).cause == Cause::NoOdometry, !has_odometry) << "killed meanwhile";
     robot.passes(29.0, robot.hall);
     EXPECT_EQ(robot.wants({-0.2, 0.0, 0.0}).cause == Cause::NoOdometry, !has_odometry);
     robot.passes(1.5, robot.hall);

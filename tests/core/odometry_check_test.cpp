@@ -75,6 +75,27 @@ TEST(OdometryCheck, StopsWhoRemembersByIt) {
   }
 }
 
+/// Killed then, whatever odometry says to the next process.
+TEST(OdometryCheck, WhoTakesOverStandsForAsLong) {
+  DrivenRobot robot;
+  const Twist2 told{0.3, 0.0, -0.6};
+  ASSERT_EQ(robot.drives(4.0, told, mirrored).cause, Cause::NoOdometry);
+  const auto remembered = robot.control.remembered();
+  robot.passes(0.5, robot.hall);
+  EXPECT_EQ(robot.control.remembered(), remembered) << "it is not written down all the time";
+  RobotWithOdometry next;
+  next.now = robot.now;
+  ASSERT_TRUE(next.control.recall(remembered));
+  next.passes(1.0, next.hall);
+  EXPECT_EQ(next.wants({-0.3, 0.0, 0.0}).cause, Cause::NoOdometry);
+  EXPECT_EQ(next.control.remembered(), remembered) << "for the one after that";
+  next.passes(29.5, next.hall);
+  EXPECT_EQ(next.wants({-0.3, 0.0, 0.0}).cause, Cause::Seen) << "after memory_time";
+  EXPECT_EQ(next.control.remembered().back(), "");
+  robot.control.forget_losses();
+  EXPECT_EQ(robot.control.remembered().back(), "") << "somebody has looked";
+}
+
 TEST(OdometryCheck, ContradictionIsNoneOfABaseThatDoesLessOrWasHalted) {
   for (const Twist2& told :
        {Twist2{0.3, 0.0, 0.0}, Twist2{0.3, 0.0, -0.6}, Twist2{-0.3, 0.0, 0.3}, Twist2{0.0, 0.0, 1.5}}) {

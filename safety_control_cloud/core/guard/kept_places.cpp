@@ -79,7 +79,8 @@ KeptPlace place_in(Reader& reader) {
 
 std::string to_text(const KeptPlaces& kept) {
   const std::vector<KeptPlace> places = some_of(kept.all);
-  if (places.empty()) return {};
+  const bool is_any_unknown = !kept.robot && kept.stamp > 0.0;  // which need not be among the places
+  if (places.empty() && !is_any_unknown) return {};
   std::ostringstream text;
   text.precision(15);
   text << version << ' ' << kept.stamp << ' ' << (kept.robot ? 1 : 0);

@@ -171,7 +171,8 @@ TEST(KeptPlaces, FromWhereOdometryHasJumpedNobodyPlacesThemAnyMore) {
   ASSERT_TRUE(next.control.recall(robot.control.remembered()));
   const Guarded& answer = next.asked(right);
   EXPECT_EQ(answer.cause, Cause::NoOdometry);
-  EXPECT_EQ(answer.reason, "odometry has jumped, and what was out of sight before this start cannot be placed");
+  EXPECT_EQ(answer.reason,
+            "odometry jumped or was wrong, and what was out of sight before this start cannot be placed");
   EXPECT_NE(answer.hint, "");
   EXPECT_EQ(next.control.remembered().back(), robot.control.remembered().back()) << "for the next one";
   next.passes(30.0, next.hall);
