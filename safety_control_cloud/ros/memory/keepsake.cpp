@@ -12,7 +12,8 @@ namespace {
 using Texts = Keepsake::Texts;
 using XmlRpc::XmlRpcValue;
 
-constexpr double period = 1.0;  ///< [s] after which the master is asked whether it still knows
+constexpr double period = 0.5;     ///< [s] after which the master is asked whether it still knows, and then what
+constexpr double at_latest = 5.0;  ///< [s] the same while something newer waits, which a slow master is told first
 
 /// Not ros::param's, which waits for the master for ever.
 bool ask_master(const char* what, const std::string& name, XmlRpcValue& answer, const XmlRpcValue* value = nullptr) {
@@ -81,19 +82,27 @@ void Keepsake::write() {
     lock.unlock();
     if (written_ != wanted && write_to_server(name_, wanted)) written_ = wanted;
     if (last) return;
-    look_whether_it_is_still_there();
+    lock.lock();
+    const bool is_newest = wanted_ == wanted;
+    lock.unlock();
+    if (is_newest || ros::SteadyTime::now() - looked_ > ros::WallDuration(at_latest)) look_whether_it_is_still_there();
     lock.lock();
     if (!ending_ && wanted_ == wanted) changed_.wait_for(lock, for_seconds(period));
   }
 }
 
-/// Somebody may have loaded what he dumped an hour ago.
+/// One call at a time, or what is newer waited for two of them. Somebody may have loaded what he dumped an hour ago.
 void Keepsake::look_whether_it_is_still_there() {
-  XmlRpcValue is_there;
-  if (!written_ || !ask_master("hasParam", name_, is_there)) return;
-  if (is_there.getType() == XmlRpcValue::TypeBoolean && !is_there)
-    return write_anew(
-        "the ROS master has forgotten what was near, as one that was started anew does; it is told again");
+  looked_ = ros::SteadyTime::now();
+  if (!written_) return;
+  is_there_ = !is_there_;
+  if (is_there_) {
+    XmlRpcValue is_there;
+    is_there_ = ask_master("hasParam", name_, is_there);
+    if (is_there_ && is_there.getType() == XmlRpcValue::TypeBoolean && !is_there)
+      write_anew("the ROS master has forgotten what was near, as one that was started anew does; it is told again");
+    return;
+  }
   const auto there = texts_on_server(name_);
   if (there && there != written_)
     write_anew("somebody has changed " + name_ + ", which tells what was near; it is written again");
@@ -102,6 +111,7 @@ void Keepsake::look_whether_it_is_still_there() {
 void Keepsake::write_anew(const std::string& why) {
   say_(why);
   written_.reset();
+  is_there_ = false;
 }
 
 }  // namespace safety_control_cloud

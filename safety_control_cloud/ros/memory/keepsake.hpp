@@ -44,7 +44,10 @@ class Keepsake {
   SteadyCondition changed_;
   Texts wanted_;
   bool ending_ = false;
-  std::optional<Texts> written_;  ///< of the thread alone
+  // Of the thread alone.
+  std::optional<Texts> written_;
+  ros::SteadyTime looked_;  ///< whether it is still there
+  bool is_there_ = false;   ///< as it was asked last; what is there is asked next
   std::thread thread_;
 };
 
