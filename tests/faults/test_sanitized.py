@@ -98,7 +98,8 @@ def test_the_nodelet_stands_a_camera_of_200_Hz_in_its_process(build, master):
         reset.wait_for_service(60.0)
         assert str(build / "devel/lib/libsafety_control_nodelet.so") in Path(f"/proc/{camera.pid}/maps").read_text()
         turns = 0
-        with suppress(rospy.ServiceException):  # when it has ended
+        ended = (rospy.ServiceException, dynamic_reconfigure.DynamicReconfigureCallbackException)
+        with suppress(*ended):
             while camera.exit_code is None:
                 settings.update_configuration({"min_points": 1 + turns % 2})
                 reset()
