@@ -39,7 +39,7 @@ class Forgiving {
       if (said_.back() == Evidence::Past) seen_past.push_back(shown(i));
       if (shown(i).stands) standing.push_back(shown(i));
     }
-    note_last_picture();
+    note_what_leaves();
     between_rays_ = may_lie_between_rays(std::move(seen_past), picture);
     floor_between_ = may_stand_between_rays(std::move(standing), floor.rows, picture);
   }
@@ -61,8 +61,8 @@ class Forgiving {
   void drop_the_rest() {
     const double gone = thing_.freed + rest_.past + hung_rest_.past + alone_rest_.past;
     const double all = thing_.freed + rest_.size + hung_rest_.size + alone_rest_.size;
-    const double with_those_leaving = thing_.freed_at_last + past_at_last_;
-    const bool is_most = gone >= nearly * all && with_those_leaving >= few * (with_those_leaving + leaving_);
+    const double lately = thing_.freed_lately + past_lately_;
+    const bool is_most = gone >= nearly * all && lately >= few * (lately + leaving_);
     if (!(gone > 0.0) || !is_most) return;
     std::vector<Spot>& lost = thing_.lost;
     for (const std::size_t i : not_seen_past_)
@@ -84,10 +84,14 @@ class Forgiving {
     bool will_be_asked = false;          ///< once the camera looks there again; if not, it may go along
   };
 
-  void note_last_picture() {
-    const std::uint32_t before = thing_.last;
-    for (const Spot& spot : thing_.lost) thing_.last = std::max(thing_.last, spot.picture);
-    if (thing_.last != before) thing_.freed_at_last = 0.0;
+  /// In low light some of the thing was lost where it was before: that this is seen past says nothing of what leaves
+  /// the picture since.
+  void note_what_leaves() {
+    std::uint32_t last = 0;
+    for (std::size_t i = 0; i < thing_.lost.size(); ++i)
+      if (leaves_at_the_bottom(shown(i), gaze_.nearer, picture_)) last = std::max(last, thing_.lost[i].picture);
+    if (last > thing_.left_since) thing_.freed_lately = 0.0;
+    thing_.left_since = last;
   }
 
   void turn_to_gaze() {
@@ -138,7 +142,7 @@ class Forgiving {
     if (is_seen_again(i)) return Fate::Goes;
     if (spot.seen_past < clouds_to_go && !shows_floor_below(i)) return Fate::Stays;
     thing_.freed += double{spot.share};
-    if (spot.picture == thing_.last) thing_.freed_at_last += double{spot.share};
+    if (spot.picture >= thing_.left_since) thing_.freed_lately += double{spot.share};
     return Fate::Goes;
   }
 
@@ -184,7 +188,7 @@ class Forgiving {
     if (&rest_with(spot) != &rest_) rest_with(spot).size += double{spot.share};
     if (spot.seen_past >= clouds_to_count_) {
       rest_with(spot).past += double{spot.share};
-      if (spot.picture == thing_.last) past_at_last_ += double{spot.share};
+      if (spot.picture >= thing_.left_since) past_lately_ += double{spot.share};
     } else {
       not_seen_past_.push_back(i);
     }
@@ -201,10 +205,8 @@ class Forgiving {
   std::vector<Elsewhere> elsewhere_;  ///< of each of the lost; empty if none is
   bool between_rays_ = false, floor_between_ = false;
   Rest rest_, hung_rest_, alone_rest_;
-  double leaving_ = 0.0;  ///< [m2] of those that stay
-  /// [m2] Of what the last picture showed that showed any of it. In low light some of the thing was lost where it was
-  /// before: that this is seen past says nothing of what leaves the picture now.
-  double past_at_last_ = 0.0;
+  double leaving_ = 0.0;      ///< [m2] of those that stay
+  double past_lately_ = 0.0;  ///< [m2] of what was shown since, as in Remembered
   std::vector<std::size_t> not_seen_past_;
 };
 
