@@ -62,7 +62,8 @@ class Forgiving {
     const double gone = thing_.freed + rest_.past + hung_rest_.past + alone_rest_.past;
     const double all = thing_.freed + rest_.size + hung_rest_.size + alone_rest_.size;
     const double lately = thing_.freed_lately + past_lately_;
-    const bool is_most = gone >= nearly * all && lately >= few * (lately + leaving_);
+    const bool is_most =
+        gone >= nearly * all && gone >= few * (gone + leaving_) && lately >= few * (lately + leaving_below_);
     if (!(gone > 0.0) || !is_most) return;
     std::vector<Spot>& lost = thing_.lost;
     for (const std::size_t i : not_seen_past_)
@@ -89,7 +90,7 @@ class Forgiving {
   void note_what_leaves() {
     std::uint32_t last = 0;
     for (std::size_t i = 0; i < thing_.lost.size(); ++i)
-      if (leaves_at_the_bottom(shown(i), gaze_.nearer, picture_)) last = std::max(last, thing_.lost[i].picture);
+      if (leaves_below(i)) last = std::max(last, thing_.lost[i].picture);
     if (last > thing_.left_since) thing_.freed_lately = 0.0;
     thing_.left_since = last;
   }
@@ -136,6 +137,7 @@ class Forgiving {
     const bool is_past = said_[i] == Evidence::Past && !between_rays_;
     if (may_have_left(i, is_past)) {
       leaving_ += double{spot.share};
+      if (leaves_below(i)) leaving_below_ += double{spot.share};
       return Fate::Apart;
     }
     spot.seen_past = is_past ? static_cast<std::uint8_t>(spot.seen_past + 1) : std::uint8_t{0};
@@ -144,6 +146,11 @@ class Forgiving {
     thing_.freed += double{spot.share};
     if (spot.picture >= thing_.left_since) thing_.freed_lately += double{spot.share};
     return Fate::Goes;
+  }
+
+  /// As the camera looked then.
+  bool leaves_below(std::size_t i) const {
+    return !is_elsewhere(i) && leaves_at_the_bottom(thing_.lost[i], gaze_.nearer, picture_);
   }
 
   /// What has left at the lower border is looked over: then the floor is seen again too.
@@ -205,8 +212,8 @@ class Forgiving {
   std::vector<Elsewhere> elsewhere_;  ///< of each of the lost; empty if none is
   bool between_rays_ = false, floor_between_ = false;
   Rest rest_, hung_rest_, alone_rest_;
-  double leaving_ = 0.0;      ///< [m2] of those that stay
-  double past_lately_ = 0.0;  ///< [m2] of what was shown since, as in Remembered
+  double leaving_ = 0.0, leaving_below_ = 0.0;  ///< [m2] of those that stay
+  double past_lately_ = 0.0;                    ///< [m2] of what was shown since, as in Remembered
   std::vector<std::size_t> not_seen_past_;
 };
 
