@@ -64,7 +64,7 @@ std::vector<Thing> follow(std::vector<Remembered>& things, std::vector<Thing> se
       spot.picture = shown.picture;
     }
     thing.seen = std::move(now);
-    thing.freed = thing.freed_lately = 0.0;
+    thing.freed = 0.0;
     thing.vanished = false;
     ++thing.clouds;
   }

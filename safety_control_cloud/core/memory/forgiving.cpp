@@ -39,7 +39,6 @@ class Forgiving {
       if (said_.back() == Evidence::Past) seen_past.push_back(shown(i));
       if (shown(i).stands) standing.push_back(shown(i));
     }
-    note_what_leaves();
     between_rays_ = may_lie_between_rays(std::move(seen_past), picture);
     floor_between_ = may_stand_between_rays(std::move(standing), floor.rows, picture);
   }
@@ -61,9 +60,7 @@ class Forgiving {
   void drop_the_rest() {
     const double gone = thing_.freed + rest_.past + hung_rest_.past + alone_rest_.past;
     const double all = thing_.freed + rest_.size + hung_rest_.size + alone_rest_.size;
-    const double lately = thing_.freed_lately + past_lately_;
-    const bool is_most =
-        gone >= nearly * all && gone >= few * (gone + leaving_) && lately >= few * (lately + leaving_below_);
+    const bool is_most = gone >= nearly * all && gone >= few * (gone + leaving_);
     if (!(gone > 0.0) || !is_most) return;
     std::vector<Spot>& lost = thing_.lost;
     for (const std::size_t i : not_seen_past_)
@@ -84,16 +81,6 @@ class Forgiving {
     std::optional<TurnedSpot> turned{};  ///< whole; none: the picture says nothing of it, whatever the others do
     bool will_be_asked = false;          ///< once the camera looks there again; if not, it may go along
   };
-
-  /// In low light some of the thing was lost where it was before: that this is seen past says nothing of what leaves
-  /// the picture since.
-  void note_what_leaves() {
-    std::uint32_t last = 0;
-    for (std::size_t i = 0; i < thing_.lost.size(); ++i)
-      if (leaves_below(i)) last = std::max(last, thing_.lost[i].picture);
-    if (last > thing_.left_since) thing_.freed_lately = 0.0;
-    thing_.left_since = last;
-  }
 
   void turn_to_gaze() {
     const auto is_elsewhere = [&](const Spot& spot) { return !show_the_same(spot.camera, gaze_.camera); };
@@ -137,20 +124,13 @@ class Forgiving {
     const bool is_past = said_[i] == Evidence::Past && !between_rays_;
     if (may_have_left(i, is_past)) {
       leaving_ += double{spot.share};
-      if (leaves_below(i)) leaving_below_ += double{spot.share};
       return Fate::Apart;
     }
     spot.seen_past = is_past ? static_cast<std::uint8_t>(spot.seen_past + 1) : std::uint8_t{0};
     if (is_seen_again(i)) return Fate::Goes;
     if (spot.seen_past < clouds_to_go && !shows_floor_below(i)) return Fate::Stays;
     thing_.freed += double{spot.share};
-    if (spot.picture >= thing_.left_since) thing_.freed_lately += double{spot.share};
     return Fate::Goes;
-  }
-
-  /// As the camera looked then.
-  bool leaves_below(std::size_t i) const {
-    return !is_elsewhere(i) && leaves_at_the_bottom(thing_.lost[i], gaze_.nearer, picture_);
   }
 
   /// What has left at the lower border is looked over: then the floor is seen again too.
@@ -195,7 +175,6 @@ class Forgiving {
     if (&rest_with(spot) != &rest_) rest_with(spot).size += double{spot.share};
     if (spot.seen_past >= clouds_to_count_) {
       rest_with(spot).past += double{spot.share};
-      if (spot.picture >= thing_.left_since) past_lately_ += double{spot.share};
     } else {
       not_seen_past_.push_back(i);
     }
@@ -212,8 +191,7 @@ class Forgiving {
   std::vector<Elsewhere> elsewhere_;  ///< of each of the lost; empty if none is
   bool between_rays_ = false, floor_between_ = false;
   Rest rest_, hung_rest_, alone_rest_;
-  double leaving_ = 0.0, leaving_below_ = 0.0;  ///< [m2] of those that stay
-  double past_lately_ = 0.0;                    ///< [m2] of what was shown since, as in Remembered
+  double leaving_ = 0.0;  ///< [m2] of those that stay
   std::vector<std::size_t> not_seen_past_;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -16,8 +15,6 @@ struct Remembered {
   std::vector<Spot> lost;        ///< what was seen of it, and now is neither seen nor seen past
   double size = 0.0;             ///< [m2] at most
   double freed = 0.0;            ///< [m2] of the lost, since it was last seen, that is seen past by now
-  double freed_lately = 0.0;     ///< [m2] of that, what was shown since the picture that showed last what leaves it,
-  std::uint32_t left_since = 0;  ///< which is this
   unsigned clouds = 0;           ///< that have shown it
   bool stood = false;            ///< on the near floor, until it was seen to hang
   bool at_border = false;        ///< when it was seen last

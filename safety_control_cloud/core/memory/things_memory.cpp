@@ -67,7 +67,7 @@ void ThingsMemory::add_unseen(std::vector<Spot> spots) {
 
 void ThingsMemory::scale_sizes(double by) {
   for (Remembered& thing : things_)
-    for (double* size : {&thing.size, &thing.freed, &thing.freed_lately, &thing.seen.size}) *size *= by;
+    for (double* size : {&thing.size, &thing.freed, &thing.seen.size}) *size *= by;
   for_each_spot([by](Spot& spot) { spot.share = static_cast<float>(by * double{spot.share}); });
 }
 

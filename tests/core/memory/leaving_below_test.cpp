@@ -3,7 +3,6 @@
 // level from higher up, or whose picture is wide and low, looks over it.
 #include <gtest/gtest.h>
 
-#include <random>
 #include <vector>
 
 #include "lens.hpp"
@@ -55,25 +54,6 @@ TEST(LeavingBelow, ItStaysHoweverLongNothingOfItIsSeen) {
   for (int i = 0; i < 400; ++i) ASSERT_EQ(robot.looks({behind}).speed, 0.0) << i;
   robot.control().forget_losses();
   EXPECT_EQ(robot.looks({behind}).speed, 0.2) << "somebody has looked";
-}
-
-/// Here and there, pixels return nothing: what they showed of a box is seen past as that comes nearer.
-TEST(LeavingBelow, InLowLightItStaysToo) {
-  for (const double missing : {0.1, 0.2}) {
-    for (unsigned seed = 0; seed < 4; ++seed) {
-      std::mt19937 random(seed);
-      std::bernoulli_distribution is_missing(missing);
-      RobotWithLowPicture robot;
-      const auto looks = [&](const std::vector<Board>& boards) {
-        auto points = low.points(boards);
-        for (Xyz& point : points)
-          if (is_missing(random)) point = {nan, nan, nan};
-        return robot.sees(low.view_of_rows(points));
-      };
-      for (float front = 1.3f; front > -0.3f; front -= 0.05f) looks(box(front, 0.16f, 0.5f));
-      for (int i = 0; i < 20; ++i) EXPECT_EQ(looks({behind}).speed, 0.0) << missing << ", seed " << seed;
-    }
-  }
 }
 
 TEST(LeavingBelow, WhatIsTakenAwayFromTheMiddleOfThePictureHasGone) {
