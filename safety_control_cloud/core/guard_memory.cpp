@@ -102,7 +102,7 @@ bool GuardMemory::note_breaks(const Went& went, const Instant& now) {
 
 /// Until odometry speaks again, in whichever frame that is then.
 void GuardMemory::go_on_as_told(const Instant& now) {
-  if (auto placed = to_keep()) broke_off_ = std::move(placed);
+  if (auto placed = to_keep(); placed && !placed->all.empty()) broke_off_ = std::move(placed);
   if (latest_) {
     out_of_sight_.go_on_in_frame(latest_->robot, latest_->as_told, now.steady);
   } else {

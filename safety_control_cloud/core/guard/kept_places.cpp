@@ -79,8 +79,7 @@ KeptPlace place_in(Reader& reader) {
 
 std::string to_text(const KeptPlaces& kept) {
   const std::vector<KeptPlace> places = some_of(kept.all);
-  const bool is_any_unknown = !kept.robot && kept.stamp > 0.0;  // which need not be among the places
-  if (places.empty() && !is_any_unknown) return {};
+  if (places.empty() && kept.robot) return {};
   std::ostringstream text;
   text.precision(15);
   text << version << ' ' << kept.stamp << ' ' << (kept.robot ? 1 : 0);
@@ -102,8 +101,11 @@ std::optional<KeptPlaces> kept_places_in(const std::string& text) {
   KeptPlaces kept;
   kept.stamp = reader.number(0.0, any);
   if (reader.count(1) == 1) {
-    const double x = reader.number(-any, any), y = reader.number(-any, any);
-    kept.robot = {{x, y}, reader.number(-any, any)};
+    kept.robot->place.x = reader.number(-any, any);
+    kept.robot->place.y = reader.number(-any, any);
+    kept.robot->heading = reader.number(-any, any);
+  } else {
+    kept.robot.reset();
   }
   const std::size_t sensors = reader.count(most_sensors);
   for (std::size_t sensor = 0; sensor < sensors && reader.good(); ++sensor) {

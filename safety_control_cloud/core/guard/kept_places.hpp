@@ -19,14 +19,16 @@ struct KeptPlace {
 
 /// What of them is written down, to outlive the process.
 struct KeptPlaces {
-  double stamp = 0.0;          ///< [s, ROS time] of the pose
-  std::optional<Pose2> robot;  ///< in the frame of odometry; none: that was not to be believed, or has jumped since
+  double stamp = 0.0;  ///< [s, ROS time] of the pose
+  /// In the frame of odometry; none: that was not to be believed, or has jumped since, and what was near may be
+  /// anywhere.
+  std::optional<Pose2> robot = Pose2{};
   std::vector<KeptPlace> all;
   std::vector<std::string> sensors = {};  ///< the names of those that showed them
 };
 
 /// A line of text of at most 50 kilobytes: of places that lie close to each other and were shown by one sensor one,
-/// which may be displaced by as much more, and the nearest of too many. Empty if there is none, and never was.
+/// which may be displaced by as much more, and the nearest of too many. Empty if there is none, and the pose is known.
 std::string to_text(const KeptPlaces& kept);
 
 /// What was written down; none if the text is not whole, or of another version.
