@@ -20,6 +20,7 @@ TESTED_AS = {
     "guard/seen_at": "guard/forgetting_test and out_of_sight_test: what asks it",
     "guard/lost_spots": "guard/known_places_alone_test; and known_places_test: what becomes of a robot by them",
     "guard_sensor": "perception_test: several of them",
+    "guard_sensor_known": "perception_test: what several of them let one know",
     "lost_from_sight": "guard/known_places_test and blindness_test: what becomes of a robot by it",
     "memory/column_below": "memory/stand_test: what stands by it",
     "memory/cut_off": "leaving_below_test: where a robot stands for it",

@@ -64,7 +64,7 @@ class GuardMemory {
   /// What was seen to rest, as the sensor has it that showed this; nothing, if nobody knows where the robot was.
   std::vector<KnownPlace> resting(const Look& look, const Went& went, const Instant& now) const;
 
-  /// What was seen to rest, as a sensor has it that looks from there.
+  /// The same of a sensor that looks from there.
   std::vector<KnownPlace> resting(const Outlook& sensor, const Whereabouts& robot, const Instant& now) const;
 
   /// `shows`: of each sensor, whether its latest look is believed still. Holds until it is asked again.

@@ -50,7 +50,8 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
                                          const std::vector<bool>& shows, const Guard& guard) {
   for (auto* kept : {&recalled_, &broke_off_})
     if (*kept && (are_over((*kept)->stamp, now.ros, limits_.places.time) || !remembers())) kept->reset();
-  if (!is_mistaken(now)) {
+  const bool mistaken = is_mistaken(now);
+  if (!mistaken) {
     mistaken_.reset();
   } else if (!mistaken_ || std::abs(now.ros - *mistaken_) > mistaken_for) {
     mistaken_ = now.ros;
@@ -58,8 +59,7 @@ std::vector<Known> GuardMemory::known_at(const Instant& now, const Went& went, c
   Known known;
   known.sensor = "memory";
   known.doubt = doubt_at(now, went, sensors);
-  const bool is_over_by_time = is_mistaken(now) || (recalled_ && !recalled_->robot);
-  if (is_over_by_time) known.hint = what_frees_who_strayed;
+  if (mistaken || (recalled_ && !recalled_->robot)) known.hint = what_frees_who_strayed;
   if (known.doubt) return {known};
   jumped_.reset();
   if (!out_of_sight_.holds_any(now.steady)) return {};

@@ -39,8 +39,8 @@ class GuardSensor {
   /// What is known to be around it there: if that is all that is lost, nothing is.
   void explain_loss(const std::vector<KnownPlace>& known, double now);
 
-  /// Where, in base_frame [m], the top of something meets its picture's lower border, that it looks over.
-  std::vector<Point2> ends_below() const;
+  /// Whether the top of something low meets its picture's lower border.
+  bool looks_over_any() const { return !sensor_.ends_below().empty(); }
 
   /// What was seen to rest around it as its latest picture was taken.
   void note_fronts(const std::vector<KnownPlace>& known, double now);
@@ -108,6 +108,7 @@ class GuardSensor {
   enum class Collected { Nothing, Before, Now };
 
   Eye eye_on_what_is_lost() const;
+  std::vector<Point2> ends_below() const;
   void face(const Reading& reading, const Placing& placing);
   Look take(const Reading& reading, const Origin& origin, const Outlook& outlook, const Instant& now,
             const Given& given);

@@ -93,13 +93,12 @@ void Perception::see(const Reading& reading, const Origin& origin, const Instant
     for (GuardSensor& one : sensors_) one.forget_poses();
   if (!look) return explain_blindness(sensor, origin, now, given);
   const auto pose = memory_.note(sensor, *look, went, now);
-  const bool looks_over_any = !sensors_[sensor].ends_below().empty();
-  sensors_[sensor].note_fronts(looks_over_any ? memory_.resting(*look, went, now) : std::vector<KnownPlace>(),
-                               now.steady);
-  const bool is_any_lost = sensors_[sensor].note_pose(pose, now.steady);
-  if (!is_any_lost || !pose || !memory_.remembers()) return;
-  const auto robot = memory_.by_odometry_at(look->stamp, went, now);
-  sensors_[sensor].explain_loss(memory_.resting(look->outlook, *robot, now), now.steady);
+  GuardSensor& sees = sensors_[sensor];
+  const bool is_any_lost = sees.note_pose(pose, now.steady), may_explain = is_any_lost && pose && memory_.remembers();
+  std::vector<KnownPlace> resting;
+  if (may_explain || sees.looks_over_any()) resting = memory_.resting(*look, went, now);
+  sees.note_fronts(resting, now.steady);
+  if (may_explain) sees.explain_loss(resting, now.steady);
 }
 
 void Perception::explain_blindness(std::size_t sensor, const Origin& origin, const Instant& now, const Given& given) {

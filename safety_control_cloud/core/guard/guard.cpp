@@ -135,10 +135,7 @@ Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Kn
                        std::size_t nearer, bool is_shown) const {
   Allowed least;
   if (ring.returns == 0) return least;
-  const bool is_guessed = is_shown && !known.is_missed;
-  const bool is_vague = is_guessed && ring.obstacles.widening > well_known;
   const double creeping = std::min(1.0, settings_.unseen_speed / fastest_point(outline_, wanted));
-  const bool may_creep = is_vague || creeps(outline_, known, wanted);
   const double off = counted_nearer(ring.obstacles.widening, known, is_shown, wanted);
   const double widening = off + half_of_gap(known.ways, std::sqrt(2.0) * ring.extent);
   if (!(outline_.margin() + widening <= most_margin))
@@ -150,7 +147,10 @@ Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Kn
   // rest is taken off the noise.
   law.noise = std::max(0.5 * law.noise, law.noise - 2.0 * off);
   const Outline outline(widened(outline_, widening));
-  const auto clears = [&](const Obstacles& likely) {
+  const auto may_creep = [&](const Obstacles& likely) {
+    const bool is_guessed = is_shown && !known.is_missed, is_vague = ring.obstacles.widening > well_known;
+    if ((is_guessed && is_vague) || creeps(outline_, known, wanted)) return true;
+    if (!is_guessed || off <= 0.0) return false;
     const Outline as_it_is(widened(outline_, widening - off));
     return safety_control_cloud::limit(as_it_is, known.law, likely, known.age, under_way, wanted).factor >= creeping;
   };
@@ -163,7 +163,7 @@ Allowed Guard::by_ring(const Twist2& wanted, const UnderWay& under_way, const Kn
       });
     }
     Limit limit = safety_control_cloud::limit(outline, law, moved, known.age, under_way, wanted);
-    if (limit.factor < creeping && (may_creep || (is_guessed && off > 0.0 && clears(moved)))) limit.factor = creeping;
+    if (limit.factor < creeping && may_creep(moved)) limit.factor = creeping;
     if (!(limit.factor < least.factor)) continue;
     const Contact decider = limit.contact.point ? limit.contact : on_the_path(outline, moved, wanted);
     least = {limit.factor, decider.time, std::nullopt, known.sensor, Cause::Seen, "something lies beside the path"};

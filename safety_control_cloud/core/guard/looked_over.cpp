@@ -35,12 +35,11 @@ void LookedOver::note(const std::vector<Point2>& ends, const Point2& eye, const 
   const bool begins = !shown_at_;
   shown_at_ = now;
   if (!begins) return;
-  const auto is_known = [&](const Point2& end) {
-    return std::any_of(known.begin(), known.end(),
-                       [&](const KnownPlace& place) { return is_front_of(place, end, eye); });
+  const auto is_unknown = [&](const Point2& end) {
+    return std::none_of(known.begin(), known.end(),
+                        [&](const KnownPlace& place) { return is_front_of(place, end, eye); });
   };
-  const auto unknown = static_cast<std::size_t>(ends.end() - ends.begin()) -
-                       static_cast<std::size_t>(std::count_if(ends.begin(), ends.end(), is_known));
+  const auto unknown = static_cast<std::size_t>(std::count_if(ends.begin(), ends.end(), is_unknown));
   is_unknown_ = unknown * most_share > ends.size();
 }
 

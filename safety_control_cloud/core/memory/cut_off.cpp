@@ -5,12 +5,13 @@
 #include <cmath>
 #include <cstddef>
 
+#include "near_ground.hpp"
+
 namespace safety_control_cloud {
 namespace {
 
 /// Of a picture's rows, so large a share apart they are compared.
 constexpr std::size_t rows_to_compare = 60;
-constexpr std::size_t most_columns = 160;
 
 /// The lowest row in which anything returns, one to compare it with above, and by how much more must lie there, as a
 /// share, what recedes.
@@ -45,7 +46,7 @@ std::vector<Point> ends_at_the_bottom(const Pixels& picture, const Outlook& outl
   std::vector<Point> ends;
   const Border border(picture);
   if (!border.tells()) return ends;
-  const std::size_t apart = std::max<std::size_t>(1, picture.width() / most_columns);
+  const std::size_t apart = NearGround::column_step_of(picture.width());
   for (std::size_t column = 0; column < picture.width(); column += apart) {
     const Point end = picture.at(border.row, column), above = picture.at(border.row - border.step, column);
     if (!returned(end) || !returned(above)) continue;

@@ -38,14 +38,14 @@ class Places {
   std::vector<float> coordinates_;
 };
 
-Vector middle_of(const std::vector<Spot>& spots) {
+}  // namespace
+
+Eigen::Vector3f middle_of(const std::vector<Spot>& spots) {
   Vector sum = Vector::Zero();
   float all = 0.0f;
   for (const Spot& spot : spots) sum += spot.share * spot.point.getVector3fMap(), all += spot.share;
   return sum / all;
 }
-
-}  // namespace
 
 Likeness likeness_of(const std::vector<Spot>& before, const Thing& now) {
   constexpr float far = farthest_step * farthest_step;

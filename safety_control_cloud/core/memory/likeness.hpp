@@ -15,6 +15,9 @@ inline float squared_distance(const Point& a, const Point& b) {
   return (a.getVector3fMap() - b.getVector3fMap()).squaredNorm();
 }
 
+/// Of what they stand for, in the cloud's frame [m].
+Eigen::Vector3f middle_of(const std::vector<Spot>& spots);
+
 /// What a thing that was seen has in common with one that is.
 struct Likeness {
   double share = 0.0;      ///< of what was seen: how much lies close to what is seen

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "likeness.hpp"
+
 namespace safety_control_cloud {
 namespace {
 
@@ -15,20 +17,12 @@ constexpr double same_size = 1.25;
 
 bool is_near(const Remembered& thing, float near) { return !thing.lost.empty() || thing.seen.nearest < near; }
 
-Point middle_of(const std::vector<Spot>& spots) {
-  Point sum(0.0f, 0.0f, 0.0f);
-  for (const Spot& spot : spots) sum.getVector3fMap() += spot.point.getVector3fMap();
-  sum.getVector3fMap() /= static_cast<float>(spots.size());
-  return sum;
-}
-
 }  // namespace
 
 bool Written::Told::is_as(const Told& other) const {
   const auto [less, more] = std::minmax(size, other.size);
   return std::abs(nearest - other.nearest) < same_range && more <= same_size * less &&
-         (middle.getVector3fMap() - other.middle.getVector3fMap()).norm() < same_middle &&
-         show_the_same(camera, other.camera);
+         (middle - other.middle).norm() < same_middle && show_the_same(camera, other.camera);
 }
 
 bool Written::is_any_near_in(const std::vector<Remembered>& things, float near) {

@@ -43,9 +43,9 @@ class Written {
  private:
   /// A thing that is seen, as far as it counts whether that changes.
   struct Told {
-    float nearest;  ///< [m] ahead of the camera
-    Point middle;   ///< of its spots, in the cloud's frame [m]
-    double size;    ///< [m2]
+    float nearest;           ///< [m] ahead of the camera
+    Eigen::Vector3f middle;  ///< of its spots, in the cloud's frame [m]
+    double size;             ///< [m2]
     CameraPose camera;
 
     bool is_as(const Told& other) const;

@@ -83,10 +83,11 @@ void Keepsake::write() {
     if (written_ != wanted && write_to_server(name_, wanted)) written_ = wanted;
     if (last) return;
     lock.lock();
-    const bool is_newest = wanted_ == wanted;
-    lock.unlock();
-    if (is_newest || ros::SteadyTime::now() - looked_ > ros::WallDuration(at_latest)) look_whether_it_is_still_there();
-    lock.lock();
+    if (wanted_ == wanted || ros::SteadyTime::now() - looked_ > ros::WallDuration(at_latest)) {
+      lock.unlock();
+      look_whether_it_is_still_there();
+      lock.lock();
+    }
     if (!ending_ && wanted_ == wanted) changed_.wait_for(lock, for_seconds(period));
   }
 }
@@ -95,11 +96,12 @@ void Keepsake::write() {
 void Keepsake::look_whether_it_is_still_there() {
   looked_ = ros::SteadyTime::now();
   if (!written_) return;
-  is_there_ = !is_there_;
-  if (is_there_) {
+  if (!std::exchange(is_there_, false)) {
     XmlRpcValue is_there;
-    is_there_ = ask_master("hasParam", name_, is_there);
-    if (is_there_ && is_there.getType() == XmlRpcValue::TypeBoolean && !is_there)
+    const bool is_told = ask_master("hasParam", name_, is_there);
+    const bool is_forgotten = is_told && is_there.getType() == XmlRpcValue::TypeBoolean && !is_there;
+    is_there_ = is_told && !is_forgotten;
+    if (is_forgotten)
       write_anew("the ROS master has forgotten what was near, as one that was started anew does; it is told again");
     return;
   }
@@ -111,7 +113,6 @@ void Keepsake::look_whether_it_is_still_there() {
 void Keepsake::write_anew(const std::string& why) {
   say_(why);
   written_.reset();
-  is_there_ = false;
 }
 
 }  // namespace safety_control_cloud
